@@ -35,6 +35,9 @@ const EARLY: f64 = 0.3;
 /// A part whose joints are farther than this from the part before it is followed again. Radians.
 const TORN: f32 = 0.3;
 
+/// Joints that are nearer to those of another search than this have met it. Radians.
+const MET: f32 = 0.03;
+
 /// The number of values of the base: a rotation and a place.
 pub(crate) const BASE: usize = 7;
 
@@ -223,7 +226,7 @@ impl Passes<'_> {
         let early = ((EARLY / self.targets.step).ceil() as usize).max(1);
         let parts = (frames / (2 * early)).min(PARTS.max(frames / LONG));
         if parts < 4 {
-            return self.follow_on(poses, 1..frames, work, |_| false);
+            return self.follow_on(poses, work);
         }
         let cut = |part: usize| part * frames / parts;
         let begin = |part: usize| if part == 0 { 0 } else { cut(part) - early };
@@ -279,38 +282,72 @@ impl Passes<'_> {
                 }
             }
         }
-        for part in torn {
-            // Until the parts have met.
-            self.follow_on(poses, cut(part)..frames, work, |apart| apart < 0.1 * TORN)?;
+        while !torn.is_empty() {
+            torn = self.mend(poses, &torn, cut)?;
+            work.has_done(0.0)?;
         }
         Ok(())
     }
 
-    /// Follows the targets, frame after frame, from the frame before the first one. Ends early
-    /// where the difference from the values that were there is `near`.
+    /// Follows torn parts again, all of them at once, each from the end of the part before it,
+    /// until they meet the values that were there. Returns the parts after those that never met
+    /// them: they began at an end that has changed.
+    fn mend(
+        &mut self,
+        poses: &[DualQuat<f32>],
+        torn: &[usize],
+        cut: impl Fn(usize) -> usize,
+    ) -> Result<Vec<usize>, RetargetError> {
+        let (goals, columns) = (self.targets.goals.len(), self.columns);
+        let parts: Vec<_> = torn.iter().map(|&part| cut(part)..cut(part + 1)).collect();
+        let clips: Vec<_> = parts.iter().map(Range::len).collect();
+        let (mut wanted, mut values) = (Vec::new(), Vec::new());
+        for part in &parts {
+            wanted.extend(&poses[part.start * goals..part.end * goals]);
+            let row = values.len();
+            values.resize(row + part.len() * columns, 0.0);
+            let before = &self.values[(part.start - 1) * columns..][..columns];
+            values[row..row + columns].copy_from_slice(before);
+        }
+        let mut reports = vec![ik::Report::default(); values.len() / columns];
+        let options = self.targets.tracking().cast();
+        self.reach.job().sequence(&clips, &wanted, &mut values, &mut reports, &options)?;
+        let (mut rows, mut next) = (values.chunks_exact(columns), Vec::new());
+        for (&part, range) in torn.iter().zip(parts) {
+            let end = range.end;
+            let own = self.values[range.start * columns..end * columns].chunks_exact_mut(columns);
+            let mut is_met = false;
+            for (own, new) in own.zip(rows.by_ref()) {
+                is_met |= apart(own, new) < MET;
+                if !is_met {
+                    own.copy_from_slice(new);
+                }
+            }
+            if !is_met && end < self.targets.frames() {
+                next.push(part + 1);
+            }
+        }
+        Ok(next)
+    }
+
+    /// Follows the targets, frame after frame, from the first one.
     fn follow_on(
         &mut self,
         poses: &[DualQuat<f32>],
-        frames: Range<usize>,
         work: &mut Work<'_>,
-        near: impl Fn(f32) -> bool,
     ) -> Result<(), RetargetError> {
         let (options, goals) = (self.targets.tracking().cast(), self.targets.goals.len());
-        let (columns, mut reports) = (self.columns, [ik::Report::default(); TOGETHER]);
+        let (columns, frames) = (self.columns, self.targets.frames());
+        let mut reports = [ik::Report::default(); TOGETHER];
         let mut now = vec![0.0; TOGETHER * columns];
-        now[..columns].copy_from_slice(&self.values[(frames.start - 1) * columns..][..columns]);
-        for first in frames.clone().step_by(TOGETHER) {
-            let count = TOGETHER.min(frames.end - first);
+        now[..columns].copy_from_slice(&self.values[..columns]);
+        for first in (1..frames).step_by(TOGETHER) {
+            let count = TOGETHER.min(frames - first);
             let (poses, now) = (&poses[first * goals..][..count * goals], &mut now);
             let (job, reports) = (self.reach.job(), &mut reports[..count]);
             job.sequence(&[count], poses, &mut now[..count * columns], reports, &options)?;
-            let all = self.values[first * columns..].chunks_exact_mut(columns);
-            for (values, now) in all.zip(now.chunks_exact(columns)).take(count) {
-                if near(apart(now, values)) {
-                    return Ok(());
-                }
-                values.copy_from_slice(now);
-            }
+            let all = &mut self.values[first * columns..][..count * columns];
+            all.copy_from_slice(&now[..count * columns]);
             now.copy_within((count - 1) * columns..count * columns, 0);
             work.has_done(0.0)?;
         }

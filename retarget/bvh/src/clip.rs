@@ -1,7 +1,8 @@
 //! [`Clip`], a tree of joints and, for each frame, one number a channel.
 
+use crate::locals::{LARGEST, Locals};
 use dq8::hierarchy::HierarchyError;
-use dq8::{DualQuat, Hierarchy, Quat, ShapeError};
+use dq8::{Backend, DualQuat, Hierarchy, Quat, ShapeError};
 use std::error::Error;
 use std::fmt;
 
@@ -143,13 +144,20 @@ impl Clip {
     /// Returns every joint's motion relative to its parent, `[frame][joint]`.
     #[must_use]
     pub fn locals(&self) -> Vec<DualQuat<f64>> {
-        let mut locals = Vec::with_capacity(self.frames() * self.joints.len());
+        let (frames, channels) = (self.frames(), self.channels());
+        let mut locals = vec![DualQuat::IDENTITY; frames * self.joints.len()];
+        let values = &self.values[..frames * channels];
+        if values.iter().all(|value| value.abs() < LARGEST) {
+            let (joints, to) = (&self.joints, &mut locals);
+            Backend::best().run(Locals { joints, channels, values, locals: to });
+            return locals;
+        }
         // A clip without channels has no frames, and no length to cut its values by.
-        for frame in self.values.chunks_exact(self.channels().max(1)).take(self.frames()) {
-            let mut rest = frame;
-            for joint in &self.joints {
+        let of_frames = locals.chunks_exact_mut(self.joints.len().max(1));
+        for (locals, mut rest) in of_frames.zip(values.chunks_exact(channels.max(1))) {
+            for (local, joint) in locals.iter_mut().zip(&self.joints) {
                 let (values, others) = rest.split_at(joint.channels.len());
-                locals.push(joint.local(values));
+                *local = joint.local(values);
                 rest = others;
             }
         }
@@ -235,6 +243,34 @@ mod tests {
         let own = clip(Some(0), &[Rotation(Axis::X)], &[1.0]);
         assert_eq!(own.roots(), [0]);
         assert!(matches!(own.models(), Err(ClipError::Tree(_))));
+    }
+
+    #[test]
+    fn lanes_of_frames_are_the_motions_of_single_joints() {
+        let (x, y, z) = (Axis::X, Axis::Y, Axis::Z);
+        let all = [Position(z), Rotation(z), Rotation(x), Rotation(y), Position(x), Rotation(z)];
+        let joints = vec![
+            joint(None, [1.0, 2.0, 3.0], &all),
+            joint(Some(0), [4.0, 5.0, 6.0], &[]),
+            joint(Some(0), [7.0, 8.0, 9.0], &[Rotation(y), Rotation(x)]),
+        ];
+        for (frames, size) in [(0, 1.0), (1, 1.0), (7, 1.0), (21, 1e5), (3, 1e14)] {
+            let value = |i: usize| size * (i as f64 * 7.3).sin() * 400.0;
+            let values: Vec<_> = (0..8 * frames).map(value).collect();
+            let (title, joints) = (String::new(), joints.clone());
+            let clip = Clip { title, joints, frame_time: 0.1, values };
+            let locals = clip.locals();
+            assert_eq!(locals.len(), 3 * frames);
+            for (frame, locals) in locals.chunks_exact(3).enumerate() {
+                let values = &clip.values[8 * frame..];
+                let wanted = [&values[..6], &[], &values[6..8]];
+                for ((local, joint), values) in locals.iter().zip(&clip.joints).zip(wanted) {
+                    let apart = local.distance_to(joint.local(values));
+                    assert!(apart < 1e-12 * size, "frame {frame}: {apart}");
+                    assert!(local.angle_to(joint.local(values)) < 1e-12 * size.min(1e6));
+                }
+            }
+        }
     }
 
     #[test]

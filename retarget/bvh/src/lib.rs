@@ -19,7 +19,9 @@ mod clip;
 mod error;
 mod file;
 mod hierarchy;
+mod locals;
 mod motion;
+mod number;
 mod source;
 
 pub use clip::{Axis, Channel, Clip, ClipError, Joint};

@@ -1,6 +1,7 @@
 //! The part of a file after `MOTION`: the number of frames, the time of a frame, and the values.
 
 use crate::error::{BvhError, Short};
+use crate::number::{is_space, plain};
 use crate::source::{Source, Word};
 use std::fmt;
 
@@ -80,48 +81,73 @@ fn values(
 ) -> Result<(Vec<f64>, Option<Warning>), BvhError> {
     // Not reserved from `frames`: a wrong count must not cost memory.
     let mut values = Vec::new();
-    let uneven = |line, many, frame, found| {
-        let reason =
-            format!("too {many} values: frame {frame} has {found}, its channels need {channels}");
-        BvhError::new(line, reason)
-    };
     let announced = format!("`Frames: {frames}` is announced, but");
     let (mut line_before, mut warning) = (source.line(), None);
     while let Some(line) = source.next_line() {
         let (complete, begun) = (values.len() / channels, values.len() % channels);
-        let frame = complete + 1;
         if complete == frames && begun == 0 {
             warning = Some(Warning { line: line.line, announced: frames });
         }
         if complete > frames {
             return Err(BvhError::new(line.line, announced + " more than one more follows"));
         }
-        let here = line.text.split_whitespace().count();
-        if begun + here > channels {
-            // A frame that began on an earlier line was not wrapped but short, for this line starts
-            // another one.
+        let end = (complete + 1) * channels;
+        if let Err(wrong) = read_line(line.text, &mut values, end) {
+            let (frame, here) = (complete + 1, line.text.split_whitespace().count());
             return Err(match begun {
-                0 => uneven(line.line, "many", frame, here),
-                _ => uneven(line_before, "few", frame, begun),
+                0 if here > channels => uneven(line.line, "many", frame, here, channels),
+                // A frame that began on an earlier line was not wrapped but short, for this line
+                // starts another one.
+                _ if begun + here > channels => uneven(line_before, "few", frame, begun, channels),
+                _ => {
+                    let wrong = Short(wrong);
+                    let reason = format!("`{wrong}` is not a finite number (frame {frame})");
+                    BvhError::new(line.line, reason)
+                }
             });
-        }
-        for text in line.text.split_whitespace() {
-            let word = Word { text, ..line };
-            let Some(value) = word.number() else {
-                let reason = format!("`{}` is not a finite number (frame {frame})", Short(text));
-                return Err(BvhError::new(line.line, reason));
-            };
-            values.push(value);
         }
         line_before = line.line;
     }
     let (complete, begun) = (values.len() / channels, values.len() % channels);
     if begun > 0 {
-        return Err(uneven(line_before, "few", complete + 1, begun));
+        return Err(uneven(line_before, "few", complete + 1, begun, channels));
     }
     if complete < frames {
         let reason = format!("{announced} the file ends after {complete}");
         return Err(BvhError::new(line_before, reason));
     }
     Ok((values, warning))
+}
+
+fn uneven(line: usize, many: &str, frame: usize, found: usize, channels: usize) -> BvhError {
+    let reason =
+        format!("too {many} values: frame {frame} has {found}, its channels need {channels}");
+    BvhError::new(line, reason)
+}
+
+/// Appends the numbers of a line until there are `end`. If a word is not a finite number, or is one
+/// too many, it is the error.
+fn read_line<'t>(line: &'t str, values: &mut Vec<f64>, end: usize) -> Result<(), &'t str> {
+    let bytes = line.as_bytes();
+    let mut at = 0;
+    loop {
+        while bytes.get(at).is_some_and(|&byte| is_space(byte)) {
+            at += 1;
+        }
+        let Some(rest) = bytes.get(at..).filter(|rest| !rest.is_empty()) else { return Ok(()) };
+        if let (Some((value, length)), true) = (plain(rest), values.len() < end) {
+            values.push(value);
+            at += length;
+            continue;
+        }
+        // Everything before is ASCII. White space need not be.
+        let rest = line[at..].trim_start();
+        let Some(text) = rest.split(char::is_whitespace).next().filter(|text| !text.is_empty())
+        else {
+            return Ok(());
+        };
+        let number = Word { line: 0, text }.number().filter(|_| values.len() < end);
+        values.push(number.ok_or(text)?);
+        at = line.len() - rest.len() + text.len();
+    }
 }

@@ -96,6 +96,9 @@ pub(super) struct Facts<R> {
     pub(super) is_endless: bool,
     /// A point, and the largest distance from it that the link of the first goal can reach.
     pub(super) bound: Option<([R; 3], R)>,
+    /// `true` if the reach of the link of any other goal has a bound. None has on a floating base,
+    /// and walks to the base for each target would take a quarter of a search on lanes.
+    pub(super) any_other_bound: bool,
 }
 
 impl<'a, R: Real> Reach<'a, R> {
@@ -141,12 +144,25 @@ impl<'a, R: Real> Reach<'a, R> {
         }
         let freedoms = by_rate.get(..count).unwrap_or_default();
         let is_even = goals.iter().all(Goal::is_even);
-        let (size, is_endless, bound) = (R::ONE, false, None);
-        let facts = Facts { rows, twists, tree, is_even, any_mimics, size, is_endless, bound };
+        let (size, is_endless, bound, any_other_bound) = (R::ONE, false, None, false);
+        let facts = Facts {
+            rows,
+            twists,
+            tree,
+            is_even,
+            any_mimics,
+            size,
+            is_endless,
+            bound,
+            any_other_bound,
+        };
         let mut reach = Self { mechanism, goals, freedoms, by_rate, posture: None, facts };
         reach.facts.size = reach.typical_length();
         reach.facts.is_endless = reach.has_endless_slides();
         reach.facts.bound = reach.reach_bound(0);
+        for goal in 1..goals.len() {
+            reach.facts.any_other_bound |= reach.reach_bound(goal).is_some();
+        }
         Ok(reach)
     }
 
@@ -212,6 +228,19 @@ impl<'a, R: Copy> Reach<'a, R> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn moves_goal(&self, position: usize) -> bool {
         moves_any(self.mechanism.steps, position, self.goals)
+    }
+
+    /// Returns the first row of a goal's error.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn first_row(&self, goal: usize) -> usize
+    where
+        R: Real,
+    {
+        let mut row = 0;
+        for goal in self.goals.iter().take(goal) {
+            row += goal.rows();
+        }
+        row
     }
 
     /// Returns `true` if the joint whose step is at `position` carries the link of `goal`.
@@ -376,7 +405,11 @@ impl<R: Real> Reach<'_, R> {
         // If an axis has no weight, the link may be anywhere along it, so the target is never out
         // of reach and stays as it is.
         let asked = self.goals.get(goal)?.linear.into_iter().all(|weight| weight > R::ZERO);
-        let bound = if goal == 0 { self.facts.bound } else { self.reach_bound(goal) };
+        let bound = match goal {
+            0 => self.facts.bound,
+            _ if self.facts.any_other_bound => self.reach_bound(goal),
+            _ => None,
+        };
         let Some((centre, length)) = bound.filter(|_| asked) else {
             return Some((target, None));
         };

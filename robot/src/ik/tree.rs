@@ -82,12 +82,10 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             }
             let at = step.slot as usize * C;
             let mut body: [L; C] = self.scratch.bodies.record(level, at);
-            let mut row = 0;
             for (index, goal) in reach.goals.iter().enumerate() {
                 if goal.link == step.link as usize {
-                    body.add_goal(self, index, goal, row);
+                    body.add_goal(self, index, goal, reach.first_row(index));
                 }
-                row += goal.rows();
             }
             for index in 0..step.kind.rates() {
                 if reach.facts.any_mimics {
@@ -271,8 +269,12 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
                 let Some(entry) = own.get(up).map(|entry| L::load(level, entry)) else { break };
                 let part = entry * reciprocal;
                 radians.set(carrier, part.neg_mul_add(rhs, radians.get(level, carrier)));
+                // Both slices have their lengths before the loop, which then checks nothing.
                 let other_row = above.get_mut(other.first_entry as usize..).unwrap_or_default();
-                for (to, from) in other_row.iter_mut().zip(own.iter().take(up + 1)) {
+                let (Some(to), Some(from)) = (other_row.get_mut(..=up), own.get(..=up)) else {
+                    break;
+                };
+                for (to, from) in to.iter_mut().zip(from) {
                     part.neg_mul_add(L::load(level, from), L::load(level, to)).store(to);
                 }
                 carrier = other.parent as usize;
