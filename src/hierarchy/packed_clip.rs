@@ -195,8 +195,9 @@ impl PackedClip {
     /// looks for steps that must be divided.
     ///
     /// # Errors
-    /// If a rotation is not unit, a rate is not finite and more than zero, a clip has another number
-    /// of joints than the first, there is no clip, or the number does not fit into a `usize`.
+    /// If a rotation is not unit, a rate is not finite and more than zero, a clip has another
+    /// number of joints than the first, there is no clip, or the number does not fit into a
+    /// `usize`.
     pub fn bound<K: Element<7, Layout = Aos<f32>>>(
         clips: &[Clip<'_, K>],
     ) -> Result<usize, PackedError> {

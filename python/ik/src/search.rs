@@ -142,8 +142,8 @@ impl<'s, R: Number> Rows<'s, R> {
         &self.numbers[first..first + self.size]
     }
 
-    /// Adds the targets of the configurations `each`. A target has `size` numbers: eight of a pose, or
-    /// three of a position.
+    /// Adds the targets of the configurations `each`. A target has `size` numbers: eight of a pose,
+    /// or three of a position.
     pub(crate) fn targets<S: Real>(
         &self,
         each: Range<usize>,
