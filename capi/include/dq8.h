@@ -1405,8 +1405,8 @@ dq8_status dq8_blocks_chain_products_f64(size_t lanes,
 
 /**
  * Writes a number of bytes that the file of these clips does not exceed, to `bound`. A program
- * that gives dq8_clips_pack so much memory need not call it twice. Arguments and errors are those
- * of dq8_clips_pack.
+ * that gives dq8_clips_pack so much memory need not call it twice. The arguments are those of
+ * dq8_clips_pack, and so are the errors, except that translations are not looked at.
  */
 dq8_status dq8_clips_bound(const struct dq8_frames *clips,
                            size_t clip_count,

@@ -33,8 +33,8 @@ struct Query {
 }
 
 /// Writes a number of bytes that the file of these clips does not exceed, to `bound`. A program
-/// that gives dq8_clips_pack so much memory need not call it twice. Arguments and errors are those
-/// of dq8_clips_pack.
+/// that gives dq8_clips_pack so much memory need not call it twice. The arguments are those of
+/// dq8_clips_pack, and so are the errors, except that translations are not looked at.
 ///
 /// # Safety
 /// `clips` must hold `clip_count` clips, whose keys have the lengths that they state. No other

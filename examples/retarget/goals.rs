@@ -15,9 +15,10 @@ pub(crate) fn json(
     let links = humanoid.robot().link_names();
     let mut text = format!("{{\"step\":{},\n\"start\":{:?},\n", targets.step, targets.start);
     let goals = targets.goals.iter().zip(&targets.places).map(|(goal, place)| {
-        let (link, joint) = (&links[goal.link], &person.joint_names()[place.joint]);
+        let [link, joint] = [&links[goal.link], &person.joint_names()[place.joint]]
+            .map(|name| serde_json::Value::from(name.as_str()));
         format!(
-            "{{\"role\":\"{}\",\"link\":{link:?},\"joint\":{joint:?},\"point\":{:?},\"rotation\":{},\"position\":{}}}",
+            "{{\"role\":\"{}\",\"link\":{link},\"joint\":{joint},\"point\":{:?},\"rotation\":{},\"position\":{}}}",
             place.role, goal.point, goal.angular[0], goal.linear[0]
         )
     });

@@ -84,17 +84,19 @@ impl Foot {
 
     /// Returns `true` if the foot stands in a frame.
     pub(crate) fn stands_in(&self, frame: usize) -> bool {
-        self.stands.iter().any(|run| run.contains(&frame))
+        // The runs are in the order of time.
+        let next = self.stands.partition_point(|run| run.end <= frame);
+        self.stands.get(next).is_some_and(|run| run.contains(&frame))
     }
 
     /// Turns the targets of the foot about its goal so that the sole is flat in the mean of all
     /// frames in which it stands. In the rest pose the person's foot may not be flat, and the
     /// robot's foot is not turned as it is there.
     pub(crate) fn level(&self, targets: &mut [DualQuat<f64>], goals: usize) {
-        let own = || targets.iter().skip(self.goal).step_by(goals).enumerate();
-        let standing = own().filter(|&(frame, _)| self.stands_in(frame));
-        let up = standing.fold([0.0; 3], |sum, (_, target)| {
-            add(sum, target.rotation().conjugate().rotate([0.0, 0.0, 1.0]))
+        let standing = self.stands.iter().cloned().flatten();
+        let up = standing.fold([0.0; 3], |sum, frame| {
+            let turned = targets[frame * goals + self.goal].rotation();
+            add(sum, turned.conjugate().rotate([0.0, 0.0, 1.0]))
         });
         // A foot that is turned by more than an eighth of a round stands in another way.
         if dot(up, self.normal) <= FLAT * norm(up) {

@@ -781,23 +781,20 @@ fn robots_that_do_not_stand_on_two_legs_are_refused() {
             .concat();
     let quadruped = format!("<robot name='four'><link name='trunk'/>{legs}</robot>");
     // The upper half of a body, whose arms hang down as legs do.
-    let arm = |side: usize| {
-        let mut text = String::new();
-        let mut above = "chest".to_owned();
+    let arm = |side: usize, y: f64| {
+        let (mut text, mut above, mut at) = (String::new(), "chest".to_owned(), [0.0, y, 0.0]);
         for (place, (axis, _)) in BASE.arm.iter().enumerate() {
             let link = BASE.link(BASE.arm, place, side);
-            let y = if side == 0 { 0.2 } else { -0.2 };
-            let at = if place == 0 { [0.0, y, 0.0] } else { [0.0, 0.0, -0.1] };
             BASE.hinge(&mut text, &above, &link, at, *axis, DOWN, [-2.0, 0.5]);
-            above = link;
+            (above, at) = (link, [0.0, 0.0, -0.1]);
         }
         text
     };
-    let bust = format!("<robot name='bust'><link name='chest'/>{}{}</robot>", arm(0), arm(1));
+    let arms = [arm(0, 0.2), arm(1, -0.2)].concat();
+    let bust = format!("<robot name='bust'><link name='chest'/>{arms}</robot>");
     for urdf in [wheels, quadruped, bust] {
-        match Humanoid::from_urdf(&urdf) {
-            Err(RetargetError::NoLegs { missing, .. }) => assert!(!missing.is_empty()),
-            other => panic!("{other:?}"),
-        }
+        let made = Humanoid::from_urdf(&urdf);
+        let Err(RetargetError::NoLegs { missing, .. }) = made else { panic!("{made:?}") };
+        assert!(!missing.is_empty());
     }
 }

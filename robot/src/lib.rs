@@ -90,7 +90,8 @@ pub mod guide {}
 
 pub mod ik;
 mod mechanism;
-/// What the Python package has of the Jacobians of many configurations on lanes. Not for others.
+/// The functions on lanes by which the Python package finds rates from Jacobians. They are not for
+/// other packages.
 #[doc(hidden)]
 pub mod internal {
     pub use crate::mechanism::rates::{rate_of, rows, scales};

@@ -195,22 +195,29 @@ impl PackedClip {
     /// looks for steps that must be divided.
     ///
     /// # Errors
-    /// If a rotation is not unit, a clip has another number of joints than the first, or there is
-    /// no clip.
+    /// If a rotation is not unit, a rate is not finite and more than zero, a clip has another
+    /// number of joints than the first, there is no clip, or the number does not fit into a
+    /// `usize`.
     pub fn bound<K: Element<7, Layout = Aos<f32>>>(
         clips: &[Clip<'_, K>],
     ) -> Result<usize, PackedError> {
         let joints = clips.first().ok_or(ShapeError::Empty { what: "clips" })?.joints;
-        let mut keys = 0;
+        // In 64 bits: on a smaller machine the bound may not fit, even where the file does.
+        let (tracks, mut keys) = (2 * joints as u64, 0);
         for (number, clip) in clips.iter().enumerate() {
             same_length("each frame of a clip", clip.joints, joints)?;
+            let rate = clip.timing.rate;
+            if !form::is_rate(Real::from_f64(rate)) {
+                return Err(PackedError::Rate { clip: number, rate });
+            }
             let given: &[Key] = K::plain(clip.keys).unwrap_or_default();
             let steps = (given.len() / joints).saturating_sub(1);
-            keys += (steps * usize::from(pieces(number, given, joints)?) + 1) * 2 * joints;
+            keys += (steps as u64 * u64::from(pieces(number, given, joints)?) + 1) * tracks;
         }
         let each = 4 * size_of::<u32>() + size_of::<PackedTiming>() + 2 * joints * size_of::<u16>();
         let head = form::MAGIC.len() + 6 * size_of::<u32>() + joints * size_of::<[f32; 4]>();
-        Ok(head + keys * size_of::<[i16; 4]>() + clips.len() * each)
+        let bytes = keys * size_of::<[i16; 4]>() as u64 + (head + clips.len() * each) as u64;
+        usize::try_from(bytes).map_err(|_| PackedError::TooLarge)
     }
 
     /// Takes packed clips from the bytes of [`as_bytes`](Self::as_bytes). All bytes are read once,

@@ -143,7 +143,8 @@ impl<R: Real> Quat<R> {
         };
         let k = 3 - i - j;
         let handedness = if (i + 1) % 3 == j { R::ONE } else { -R::ONE };
-        let (w, [x_i, x_j, x_k]) = (self.w(), [i, j, k].map(|axis| self.xyz()[axis]));
+        // The remainder changes nothing, but tells the compiler that no index is out of bounds.
+        let (w, [x_i, x_j, x_k]) = (self.w(), [i, j, k].map(|axis| self.xyz()[axis % 3]));
         let x_k = handedness * x_k;
 
         // The two complex numbers are a + b√−1 and c + d√−1. Where one of them nearly

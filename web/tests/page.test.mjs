@@ -434,7 +434,7 @@ test("a long file is read in a worker, with a bar, and can be given up", async (
   await page.evaluate(`document.getElementById("stop").checked = true`);
   const before = await page.evaluate("dq8.yours.name");
   await page.evaluate(`{
-    const rows = "0 1 0 0 0 0 0 10 0\\n".repeat(20000), copies = 60;
+    const rows = "0 1 0 0 0 0 0 10 0\\n".repeat(20000), copies = 120;
     const [before] = ${JSON.stringify(BVH)}.split("0 1 0 0 0 0 0 10 0"),
       head = before.replace("Frames: 2", "Frames: " + 20000 * copies);
     const data = new DataTransfer();

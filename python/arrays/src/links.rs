@@ -26,7 +26,7 @@ impl Chosen {
     }
 }
 
-/// What the argument `links` holds, one after the other.
+/// The items of the argument `links`, in their order.
 pub fn in_order<'py>(links: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyIterator>> {
     if links.is_instance_of::<PySet>() || links.is_instance_of::<PyFrozenSet>() {
         return Err(PyTypeError::new_err(

@@ -1,4 +1,4 @@
-//! [`Goals`]: what a call asks of links.
+//! [`Goals`]: the goals of the links of a call.
 
 use crate::argument::{Argument, Input};
 use crate::error::misshapen;
@@ -12,7 +12,7 @@ use pyo3::prelude::*;
 #[derive(Debug)]
 pub struct Goals {
     pub(crate) goals: Vec<Goal<f64>>,
-    /// Whether it was one, and no sequence.
+    /// `true` if the caller gave one link or goal, and no sequence of them.
     pub(crate) one: bool,
     count: [usize; 1],
 }
@@ -60,19 +60,19 @@ impl Goals {
         Ok(Self { count: [goals.len()], goals, one })
     }
 
-    /// The dimension of targets that has one for each goal, if there is one.
+    /// The dimension of the targets that counts goals; empty if the caller gave one goal alone.
     pub(crate) fn each(&self) -> &[usize] {
         if self.one { &[] } else { &self.count }
     }
 }
 
-/// Whether this is a link or a goal, and no sequence of them.
+/// Returns `true` for a link or a goal, and `false` for a sequence of them.
 fn is_one(links: &Bound<'_, PyAny>) -> PyResult<bool> {
     let is_link = links.extract::<String>().is_ok() || links.extract::<i64>().is_ok();
     Ok(is_link || links.hasattr(intern!(links.py(), "link"))?)
 }
 
-/// What `dq8.Goal` has in Python; nothing of other objects.
+/// Reads a `dq8.Goal` of Python. Returns `None` for any other object.
 fn goal_of(names: &[String], item: &Bound<'_, PyAny>) -> PyResult<Option<Goal<f64>>> {
     let py = item.py();
     let Some(link) = item.getattr_opt(intern!(py, "link"))? else { return Ok(None) };

@@ -18,15 +18,15 @@ use std::ops::RangeInclusive;
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// How many configurations a piece has at least, which fill every register, and at most: lanes then
-/// seldom wait for the last.
+/// The least and the greatest number of configurations of a piece. The least number fills every
+/// register; with the greatest, lanes seldom wait for the last configuration.
 const PIECE: RangeInclusive<usize> = MAX_LANES..=256;
 
 /// A piece that takes longer is too large. One configuration that is out of reach takes a thousand
 /// times as long as one that is reached at once.
 pub(crate) const LONG: Duration = Duration::from_millis(10);
 
-/// How much work a configuration is, in poses of all its links.
+/// The work of one configuration, as a multiple of the work of computing the poses of all links.
 pub(crate) const STEPS: usize = 8;
 
 /// Values that bring links to their targets, and what was reached.
@@ -82,13 +82,13 @@ fn typed<'py, R: Number>(
     Ok((values, ReachReport::new(py, columns, &shape)?))
 }
 
-/// What is left to be computed, and where it goes.
+/// The configurations that no thread has begun, and the memory for their results.
 struct Left<'s, R> {
     /// The first configuration of the next piece.
     first: usize,
     values: &'s mut [R],
     reports: Part<'s, R>,
-    /// How many configurations the next piece has.
+    /// The number of configurations of the next piece.
     piece: usize,
     failure: Option<ShapeError>,
 }

@@ -96,7 +96,7 @@ impl ReachReport {
     }
 }
 
-/// Reports of many searches, an array for each of their fields.
+/// The reports of many searches, with one array for each field.
 pub(crate) struct Columns<R> {
     converged: Vec<bool>,
     outcome: Vec<u8>,
@@ -107,8 +107,8 @@ pub(crate) struct Columns<R> {
 }
 
 impl<R: Number> Columns<R> {
-    /// Makes room for so many. It is zero, because the system has memory of zeros ready, of which
-    /// nothing is touched before a search has ended.
+    /// Makes room for `count` reports. The memory is zeroed, because the system hands out zeroed
+    /// memory without touching it before a report is written.
     pub(crate) fn new(count: usize) -> Self {
         Self {
             converged: vec![false; count],
@@ -132,7 +132,7 @@ impl<R: Number> Columns<R> {
     }
 }
 
-/// Room for some reports.
+/// The room for a run of reports.
 #[derive(Default)]
 pub(crate) struct Part<'s, R> {
     converged: &'s mut [bool],
@@ -148,7 +148,7 @@ impl<R: Real> Part<'_, R> {
         self.outcome.len()
     }
 
-    /// Takes the first `count` away.
+    /// Takes the room for the first `count` reports away.
     pub(crate) fn split_off(&mut self, count: usize) -> Self {
         Self {
             converged: self.converged.split_off_mut(..count).unwrap_or_default(),
@@ -160,7 +160,7 @@ impl<R: Real> Part<'_, R> {
         }
     }
 
-    /// Writes reports, also of another precision.
+    /// Writes reports, which may have another precision.
     pub(crate) fn write<S: Real>(self, reports: &[Report<S>]) {
         for (index, report) in reports.iter().enumerate() {
             self.converged[index] = report.outcome == Outcome::Converged;
@@ -173,7 +173,7 @@ impl<R: Real> Part<'_, R> {
     }
 }
 
-/// An array of this shape, of the numbers where they lie; a scalar where there are no dimensions.
+/// Makes an array of this shape without copying the numbers; a scalar if there are no dimensions.
 pub(crate) fn shaped<'py, T: numpy::Element>(
     py: Python<'py>,
     numbers: Vec<T>,

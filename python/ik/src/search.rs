@@ -1,4 +1,4 @@
-//! [`Search`]: the arguments that all searches have, and what is made of them in one precision.
+//! [`Search`]: the arguments of every search, and their conversion to one precision.
 
 use crate::argument::{Argument, Input};
 use crate::error::misshapen;
@@ -11,22 +11,22 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use std::ops::Range;
 
-/// What a call asks for.
+/// The arguments of a search.
 #[derive(Debug)]
 pub struct Search<'py> {
     /// Poses or positions, one for each goal.
     pub targets: Argument<'py>,
-    /// Where to start.
+    /// The configurations from which the search starts.
     pub values: Argument<'py>,
-    /// What of links is to be at the targets.
+    /// The links, the points on them and the weights: what the targets are for.
     pub goals: Goals,
-    /// Values to stay near.
+    /// The configuration to stay near.
     pub posture: Option<Argument<'py>>,
-    /// How, and how far.
+    /// The limits of the search, and its other weights.
     pub settings: Tracking<f64>,
 }
 
-/// What a search is made of besides its targets and starts.
+/// The goals, the freedoms and the posture of a search in one precision. The search borrows them.
 pub(crate) struct Parts<'py, R: Number> {
     goals: Vec<Goal<R>>,
     freedoms: Vec<Freedom<R>>,
@@ -54,7 +54,7 @@ impl<'py, R: Number> Parts<'py, R> {
     }
 }
 
-/// With the name of the argument that it is about.
+/// Makes the exception of an error, which begins with the name of the wrong argument.
 fn named(error: ReachError) -> PyErr {
     let argument = match error {
         ReachError::NoGoals
@@ -68,7 +68,7 @@ fn named(error: ReachError) -> PyErr {
     PyValueError::new_err(format!("{argument}{error}."))
 }
 
-/// Settings in the precision of the call.
+/// Checks the settings and returns them in the precision of the call.
 pub(crate) fn settings<R: Number>(settings: &Tracking<f64>) -> PyResult<Tracking<R>> {
     // As the call will see it: what is tiny may be zero there, and what is huge infinite.
     let number = |name: &str, what: &str, value: f64, fits: fn(f64) -> bool| {
@@ -102,7 +102,7 @@ pub(crate) fn settings<R: Number>(settings: &Tracking<f64>) -> PyResult<Tracking
     Ok(settings.cast())
 }
 
-/// The leading dimensions of configurations of so many values.
+/// Returns the leading dimensions of configurations that have `count` values each.
 pub(crate) fn configurations<'s, R: Number>(
     values: &'s Input<'_, R>,
     count: usize,
@@ -113,7 +113,7 @@ pub(crate) fn configurations<'s, R: Number>(
     }
 }
 
-/// The leading dimensions of targets, which have one for each goal.
+/// Returns the leading dimensions of targets, without the dimension that counts goals.
 pub(crate) fn of_goals<'s, R: Number>(
     targets: &'s Input<'_, R>,
     goals: &Goals,
@@ -129,7 +129,7 @@ pub(crate) fn of_goals<'s, R: Number>(
     }
 }
 
-/// An element for each configuration, or the same for all, of so many numbers.
+/// Rows of `size` numbers: one row for each configuration, or one row for all of them.
 #[derive(Clone, Copy)]
 pub(crate) struct Rows<'s, R> {
     numbers: &'s [R],
@@ -142,7 +142,8 @@ impl<'s, R: Number> Rows<'s, R> {
         &self.numbers[first..first + self.size]
     }
 
-    /// Adds the targets of some configurations, poses or positions, which have so many numbers.
+    /// Adds the targets of the configurations `each`. A target has `size` numbers: eight of a pose,
+    /// or three of a position.
     pub(crate) fn targets<S: Real>(
         &self,
         each: Range<usize>,
@@ -168,8 +169,8 @@ impl<'s, R: Number> Rows<'s, R> {
     }
 }
 
-/// An input with `each` elements in memory for each of `shape`, or once where they are the same for
-/// all.
+/// Lays an input out in memory, `each` elements for each index of `shape`; or only once if the same
+/// elements serve every index.
 pub(crate) fn filled<'py, R: Number>(
     input: Input<'py, R>,
     shape: &[usize],

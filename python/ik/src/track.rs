@@ -1,4 +1,4 @@
-//! Clips of targets that move, from arrays to arrays.
+//! The tracking of clips: from arrays of targets to arrays of values.
 
 use crate::argument::{Argument, Input, is_single};
 use crate::broadcast::{common, misfit};
@@ -19,23 +19,24 @@ use std::ops::RangeInclusive;
 use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
-/// How many frames a piece has at least, and at most: of a single clip as many, of many clips a few
-/// of each.
+/// The least and the greatest number of frames of a piece. All frames are of one clip, or a few are
+/// of each of many clips.
 const PIECE: RangeInclusive<usize> = MAX_LANES..=4096;
 
-/// How many clips a thread tracks at the same time. A few for each lane, so that lanes seldom wait
-/// for each other at the end of a piece.
+/// The number of clips that a thread tracks at the same time: a few for each lane, so that lanes
+/// seldom wait for each other at the end of a piece.
 const CLIPS: usize = 4 * MAX_LANES;
 
-/// How many clips fill the registers of AVX2. Wider ones, which have the same bits, take longer for
-/// them: a quarter longer for a single clip of a humanoid.
+/// The number of clips that fill the registers of AVX2. So few clips take longer in the wider
+/// registers of AVX-512, which give the same bits: a single clip of a humanoid a quarter longer.
 const FEW: usize = 4;
 
-/// The values of all frames of clips, and what was reached in each frame. Without `clips`, their
-/// lengths, each clip is a leading dimension of the targets, and the last of these are frames.
+/// Computes the values of all frames of clips, and a report of each frame. `clips` has the lengths
+/// of the clips, whose frames follow each other. Without it all clips have one length: the last
+/// leading dimension of the targets counts frames, and those before it count clips.
 ///
 /// Arrays of float32 are computed in double precision, piece by piece: the kernel is a fiftieth of
-/// the wheel, and is there once.
+/// the wheel, so it is compiled for one precision alone.
 pub fn track<'py>(
     mechanism: &OwnedMechanism<f64>,
     clips: Option<&Argument<'py>>,
@@ -109,7 +110,7 @@ fn typed<'py, R: Number>(
     Ok((values, ReachReport::new(py, columns, &all_frames)?))
 }
 
-/// The lengths of clips, which have so many frames together.
+/// Returns the lengths of clips, which must have `frames` frames together.
 fn lengths(clips: &Argument<'_>, frames: usize) -> PyResult<Vec<usize>> {
     let input = Input::<f64>::of(clips)?;
     let [_] = input.full_leading() else {
@@ -129,29 +130,29 @@ fn lengths(clips: &Argument<'_>, frames: usize) -> PyResult<Vec<usize>> {
     Ok(input.numbers().iter().map(|&length| length as usize).collect())
 }
 
-/// The clips that no thread has begun, and where their frames go.
+/// The clips that no thread has begun, and the memory for their frames.
 struct Left<'s, R> {
     lengths: &'s [usize],
-    /// The number of the first of them.
+    /// The index of the first of these clips.
     first: usize,
-    /// The number of its first frame.
+    /// The index of the first frame of that clip.
     frame: usize,
     values: &'s mut [R],
     reports: Part<'s, R>,
 }
 
-/// What is left of a clip that a thread has begun.
+/// The rest of a clip that a thread has begun.
 struct Clip<'s, R> {
-    /// The number of its next frame.
+    /// The index of the next frame of the clip.
     frame: usize,
-    /// The values from which that begins.
+    /// The values from which that frame begins.
     start: Vec<f64>,
     values: &'s mut [R],
     reports: Part<'s, R>,
 }
 
 impl<'s, R: Number> Left<'s, R> {
-    /// Begins the next clip that has frames.
+    /// Takes the next clip that has frames.
     fn begin(&mut self, numbers: usize, start: Rows<'_, R>) -> Option<Clip<'s, R>> {
         loop {
             let (&length, lengths) = self.lengths.split_first()?;
@@ -169,9 +170,9 @@ impl<'s, R: Number> Left<'s, R> {
     }
 }
 
-/// All clips, by all threads. Each thread tracks some of them at the same time, a piece of each in
-/// one call; so a call on long clips can be interrupted. Neither other clips nor the pieces change
-/// a bit of a frame, which depends on the values of the frame before it.
+/// Tracks all clips with all threads. Each thread tracks some clips at the same time, a piece of
+/// each in one call of the kernel, so that long clips can be interrupted. A frame depends only on
+/// the frame before it: neither other clips nor the size of the pieces changes a bit.
 fn solve<R: Number>(
     threads: &Threads,
     problem: &Reach<'_, f64>,
@@ -181,7 +182,7 @@ fn solve<R: Number>(
     settings: &Tracking<f64>,
 ) -> Result<(), ShapeError> {
     let numbers = problem.mechanism().values();
-    // Fewer clips than all threads could have are shared out.
+    // If there are fewer clips than the threads could take, they are shared out evenly.
     let width = left.lengths.len().div_ceil(threads.count()).min(CLIPS);
     let best = Backend::best();
     let narrow = Backend::avx2().filter(|_| Backend::avx512() == Some(best)).unwrap_or(best);
@@ -240,7 +241,7 @@ fn solve<R: Number>(
                 clip.reports.split_off(count).write(said);
                 clip.frame += count;
             }
-            // Those that were not computed are first the next time.
+            // The clips that were not in this piece come first in the next one.
             clips.rotate_left(now);
             clips.retain(|clip| clip.reports.len() > 0);
             piece = if begin.elapsed() > LONG { piece / 2 } else { piece * 2 };

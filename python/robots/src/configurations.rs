@@ -155,8 +155,9 @@ pub(crate) enum Given<'s, R> {
 }
 
 impl<'s, R: Number> Given<'s, R> {
-    /// Those in `range`, `values` numbers each, side by side. (A piece of columns is put together
-    /// in the cache: kernels that read columns where they lie would be as many again.)
+    /// Returns the configurations in `range`, `values` numbers each, side by side. Columns are put
+    /// together piece by piece, in the cache: kernels that read columns where they lie would make
+    /// the compiled code of all these functions twice as large.
     pub(crate) fn part(&self, values: usize, range: std::ops::Range<usize>) -> Cow<'s, [R]> {
         let all = match self {
             Self::Rows(rows) => return rows[range.start * values..range.end * values].into(),

@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 /// The name of the joint that floats, as in `dq8_robot::urdf::Robot::floating`.
 const NAME: &str = "root_joint";
 
-/// The same with a floating joint in place of the one that holds its root.
+/// Returns the mechanism with a floating joint in place of the joint that holds its root.
 pub(crate) fn floating(fixed: &Bound<'_, Mechanism>) -> PyResult<Mechanism> {
     let own = fixed.get();
     if own.joint_names.iter().flatten().any(|name| name == NAME) {

@@ -70,7 +70,7 @@ pub struct Mechanism {
     pub single: Result<OwnedMechanism<f32>, MechanismError>,
     /// The name of the robot and the bytes of the file.
     pub urdf: Option<(String, Vec<u8>)>,
-    /// What this was before its base floated.
+    /// The mechanism from which [`floating`] made this one.
     pub fixed: Option<Py<Self>>,
 }
 

@@ -1,4 +1,4 @@
-//! Searches, and clips that are tracked, of mechanisms of Python.
+//! The arguments of searches in Python, and the function behind `track` and `sequence`.
 
 use crate::argument::Argument;
 use crate::columns::in_order;
@@ -11,7 +11,7 @@ use dq8_python_ik::track::track as all;
 use dq8_robot::ik::{Options, Tracking};
 use pyo3::prelude::*;
 
-/// The arguments that all searches have, as the caller gave them.
+/// The arguments of every search, as the caller gave them.
 #[derive(Clone, Copy)]
 pub(crate) struct Asked<'a, 'py> {
     pub(crate) targets: &'a Bound<'py, PyAny>,
@@ -23,7 +23,7 @@ pub(crate) struct Asked<'a, 'py> {
 }
 
 impl<'py> Asked<'_, 'py> {
-    /// What these ask of a mechanism.
+    /// Reads the arguments for a mechanism.
     pub(crate) fn of(self, mechanism: &Mechanism) -> PyResult<Search<'py>> {
         let named = |name, value| {
             Argument::new(name, NUMBER, &in_order(name, value, &|| mechanism.values())?)
@@ -42,7 +42,7 @@ impl<'py> Asked<'_, 'py> {
     }
 }
 
-/// What `Mechanism.track` and `Mechanism.sequence` compute.
+/// The function behind `Mechanism.track` and `Mechanism.sequence`.
 #[pyfunction]
 #[expect(clippy::too_many_arguments, reason = "keywords of Python")]
 pub fn track<'py>(

@@ -75,6 +75,7 @@ fn add_packing(joints: usize, to: &mut Vec<Function>) {
             .fault(Status::NullPointer, None, |clips| clips[1].keys = std::ptr::null())
             .fault(Status::NoFrames, None, |clips| clips[1].count = 0)
             .fault(Status::UnknownValue, None, |clips| clips[0].loops = 2)
+            .fault(Status::UnknownValue, None, |clips| clips[0].rate = -1.0)
             .fault_through(Status::NotUnit, 6 * joints + bad, wrong(bad, 3, 2.0))
     };
     functions! { to:
@@ -85,9 +86,7 @@ fn add_packing(joints: usize, to: &mut Vec<Function>) {
             bound: writes::<usize>(1), bad_key: names(),
         ) => bound[0] = most;
         "dq8_clips_pack", dq8_clips_pack = (
-            clips: clips()
-                .fault(Status::UnknownValue, None, |clips| clips[0].rate = -1.0)
-                .fault_through(Status::NotFinite, 6 * joints + bad, wrong(bad, 5, f32::NAN)),
+            clips: clips().fault_through(Status::NotFinite, 6 * joints + bad, wrong(bad, 5, f32::NAN)),
             clip_count: passes(2).wrong(0, Status::NoFrames).wrong(usize::MAX, Status::TooLarge),
             joint_count: passes(joints).wrong(0, Status::NoFrames),
             angle: passes(1e-3_f32), length_tolerance: passes(1e-4_f32),
