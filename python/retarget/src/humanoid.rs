@@ -7,7 +7,7 @@ use dq8_python_robots::mechanism::Mechanism;
 use dq8_python_robots::urdf::{bytes_of, decoded};
 use dq8_retarget::{RetargetError, Role};
 use dq8_robot::urdf::UrdfError;
-use dq8_robot::{JointKind, OwnedMechanism};
+use dq8_robot::JointKind;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyTuple};
 use std::sync::Arc;
@@ -41,16 +41,7 @@ impl Humanoid {
             humanoid = read(urdf.clone())?;
         }
         let humanoid = humanoid.map_err(|error| raised(&error))?;
-        let robot = humanoid.robot();
-        let mechanism = Mechanism {
-            links: robot.link_names().to_vec(),
-            joint_names: robot.joint_names().to_vec(),
-            joints: robot.joints().to_vec(),
-            drives: robot.drives().to_vec(),
-            double: OwnedMechanism::new(robot.joints()).map_err(value_error)?,
-            single: robot.cast(),
-            urdf: None,
-        };
+        let mechanism = Mechanism::of_robot(humanoid.robot()).map_err(value_error)?;
         let mechanism = Py::new(py, mechanism)?;
         Ok(Self { humanoid: Arc::new(humanoid), mechanism, urdf, given: table })
     }

@@ -3,7 +3,7 @@
 use crate::error::value_error;
 use crate::mechanism::Mechanism;
 use crate::threads::whole;
-use dq8_robot::OwnedMechanism;
+use dq8_robot::{MechanismError, OwnedMechanism};
 use dq8_robot::urdf::{Robot, UrdfError};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -81,16 +81,22 @@ fn read(bytes: Vec<u8>) -> Result<Mechanism, Failure> {
         Err(UrdfError::Encoding { encoding }) => return Err(Failure::Encoding { encoding, bytes }),
         Err(error) => return Err(Failure::Said(error.to_string())),
     };
-    let joints = robot.joints().to_vec();
-    let double = OwnedMechanism::new(&joints).map_err(|error| Failure::Said(error.to_string()))?;
-    Ok(Mechanism {
-        links: robot.link_names().to_vec(),
-        joint_names: robot.joint_names().to_vec(),
-        double,
-        single: robot.cast(),
-        drives: robot.drives().to_vec(),
-        joints,
-        urdf: Some((robot.name().to_owned(), bytes)),
-        fixed: None,
-    })
+    let mechanism = Mechanism::of_robot(&robot).map_err(|error| Failure::Said(error.to_string()))?;
+    Ok(Mechanism { urdf: Some((robot.name().to_owned(), bytes)), ..mechanism })
+}
+
+impl Mechanism {
+    /// Returns a robot of a file, which does not know its file.
+    pub fn of_robot(robot: &Robot) -> Result<Self, MechanismError> {
+        Ok(Self {
+            links: robot.link_names().to_vec(),
+            joint_names: robot.joint_names().to_vec(),
+            joints: robot.joints().to_vec(),
+            drives: robot.drives().to_vec(),
+            double: OwnedMechanism::new(robot.joints())?,
+            single: robot.cast(),
+            urdf: None,
+            fixed: None,
+        })
+    }
 }
