@@ -18,16 +18,18 @@ from dq8._signatures import SIGNATURES
 
 ALL = {**{name: of_table(name, parameters) for name, (parameters, _) in SIGNATURES.items()}, **CALLS}
 # Of those that share their work out.
-SHARED = ["mean", "mean of few", "dib_windows", "Mechanism.reach", "Mechanism.solutions", "Mechanism.jacobian", "skin", "deskew"]
+SHARED = ["mean", "mean of few", "dib_windows", "Mechanism.reach", "Mechanism.track", "Mechanism.sequence", "Mechanism.solutions", "Mechanism.jacobian", "skin", "deskew"]
 
 # Calls by number, three times each: a line when it begins; then, when it was interrupted, for how long another thread of Python
 # stood still at most. Calls that take less than the wait for the signal are called again.
 CHILD = """
-import signal, sys, threading, time
+import _thread, signal, sys, threading, time
 import numpy as np, dq8
 from test_interrupts import in_line
 # What a shell starts in the background ignores interrupts, and so do its children.
 signal.signal(signal.SIGINT, signal.default_int_handler)
+# Python throws away what is raised while it finalizes an object, as it does many in SciPy's constructors: interrupt again then.
+sys.unraisablehook = lambda thrown: threading.Timer(0.001, _thread.interrupt_main).start()
 sys.setswitchinterval(0.001)
 turned = np.stack([dq8.from_twist([0.1 * i, 0, 0, 1, 2, i]) for i in range(8)])[3]
 arm = dq8.Mechanism([-1, 0], "revolute", [0, 0, 1], dq8.from_translation([1.0, 0, 0]))
