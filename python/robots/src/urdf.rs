@@ -3,8 +3,8 @@
 use crate::error::value_error;
 use crate::mechanism::Mechanism;
 use crate::threads::whole;
-use dq8_robot::{MechanismError, OwnedMechanism};
 use dq8_robot::urdf::{Robot, UrdfError};
+use dq8_robot::{MechanismError, OwnedMechanism};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
@@ -81,7 +81,8 @@ fn read(bytes: Vec<u8>) -> Result<Mechanism, Failure> {
         Err(UrdfError::Encoding { encoding }) => return Err(Failure::Encoding { encoding, bytes }),
         Err(error) => return Err(Failure::Said(error.to_string())),
     };
-    let mechanism = Mechanism::of_robot(&robot).map_err(|error| Failure::Said(error.to_string()))?;
+    let mechanism =
+        Mechanism::of_robot(&robot).map_err(|error| Failure::Said(error.to_string()))?;
     Ok(Mechanism { urdf: Some((robot.name().to_owned(), bytes)), ..mechanism })
 }
 
