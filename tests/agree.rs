@@ -5,6 +5,7 @@
 use dq8::{DualQuat, Motion};
 use dq8_contract::bound::distance;
 use dq8_contract::case::{Case, NUMBERS};
+use dq8_contract::fusing::PORTABLE_FUSES;
 use dq8_contract::implementation::{On, implementations};
 use dq8_contract::inputs;
 use dq8_contract::ledger::{Ledger, Line};
@@ -157,7 +158,7 @@ fn every_implementation_runs_that_the_machine_can_run() {
             wanted.extend(lanes);
         }
     }
-    if cfg!(any(target_arch = "aarch64", target_feature = "fma")) {
+    if PORTABLE_FUSES {
         wanted.extend(["lanes unfused f32x8", "lanes unfused f64x4"]);
     }
     #[cfg(target_arch = "x86_64")]

@@ -368,15 +368,15 @@ fn skeletons_know_names_ancestors_and_leaves() {
 #[cfg(feature = "reproducible")]
 #[test]
 fn backends_know_whether_they_are_reproducible() {
+    use dq8_contract::fusing::PORTABLE_FUSES;
     assert!(Backend::reproducible().is_reproducible());
     for backend in Backend::available() {
-        assert_eq!(backend.is_reproducible(), !backend.to_string().contains("AVX") && !FUSES);
+        assert_eq!(
+            backend.is_reproducible(),
+            !backend.to_string().contains("AVX") && !PORTABLE_FUSES
+        );
     }
 }
-/// Whether portable lanes fuse here.
-#[cfg(feature = "reproducible")]
-const FUSES: bool = cfg!(any(target_arch = "aarch64", target_feature = "fma"));
-
 /// What is printed with the struct of a game that holds it.
 #[test]
 fn what_holds_many_numbers_is_printed_on_a_line() {

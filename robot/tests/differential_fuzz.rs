@@ -7,6 +7,7 @@
 use dq8::simd::Row;
 use dq8::storage::{Block, Element};
 use dq8::{Backend, Crowd, DualQuat, Scalar, Twist};
+use dq8_fixtures::fusing::fuses;
 use dq8_fixtures::fuzz;
 use dq8_fixtures::random::{Random, bits};
 use dq8_robot::ik::{Options, OwnedReach, Report, SixAxisArm, Solutions, Tracking};
@@ -402,12 +403,6 @@ fn backends() -> impl Iterator<Item = Backend> {
     return Backend::available().flat_map(|backend| [backend, backend.unfused()]);
     #[cfg(not(feature = "reproducible"))]
     Backend::available()
-}
-
-fn fuses(backend: Backend) -> bool {
-    let portable = cfg!(any(target_arch = "aarch64", target_feature = "fma"));
-    let unfused = backend.to_string().ends_with("unfused");
-    !unfused && (portable || backend != Backend::PORTABLE)
 }
 
 fn from<R: Scalar>(number: f64) -> R {

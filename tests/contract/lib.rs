@@ -27,4 +27,4 @@ pub mod worst;
 
 #[cfg(not(target_family = "wasm"))]
 pub use dq8_fixtures::stack;
-pub use dq8_fixtures::{fuzz, kinematics, legible, random, textbook, vector};
+pub use dq8_fixtures::{fusing, fuzz, kinematics, legible, random, textbook, vector};

@@ -1,5 +1,6 @@
 //! [`Families`]: implementations whose answers have the same bits.
 
+use dq8_contract::fusing::PORTABLE_FUSES;
 use dq8_contract::implementation::On;
 use std::collections::BTreeMap;
 
@@ -24,7 +25,6 @@ impl Families {
 /// fused in vectors, and not in a single number.
 fn family(on: On) -> Option<&'static str> {
     let lanes = on.name.strip_prefix("lanes ")?;
-    let portable_fuses = cfg!(any(target_arch = "aarch64", target_feature = "fma"));
-    let fuses = portable_fuses && !lanes.ends_with("x1") && !lanes.starts_with("unfused");
+    let fuses = PORTABLE_FUSES && !lanes.ends_with("x1") && !lanes.starts_with("unfused");
     Some(if lanes.starts_with("AVX") || fuses { "fused" } else { "portable" })
 }

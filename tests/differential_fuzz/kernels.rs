@@ -7,6 +7,7 @@ use dq8::law::{Law, Nlerp, Sclerp};
 use dq8::skinning::{Blender, DualBlend, Linear, Skin, Surface, SurfaceMut};
 use dq8::storage::{Block, pack, unpack};
 use dq8::{Backend, Crowd, DualQuat, Hierarchy, Scalar};
+use dq8_contract::fusing::fuses;
 use dq8_contract::random::{Random, bits};
 use dq8_simd::Row;
 use std::marker::PhantomData;
@@ -73,13 +74,6 @@ pub(crate) fn backends() -> impl Iterator<Item = Backend> {
     return Backend::available().flat_map(|backend| [backend, backend.unfused()]);
     #[cfg(not(feature = "reproducible"))]
     return Backend::available();
-}
-
-/// Whether products are fused with sums, so that only such backends have the same bits.
-pub(crate) fn fuses(backend: Backend) -> bool {
-    let portable = cfg!(any(target_arch = "aarch64", target_feature = "fma"));
-    let unfused = backend.to_string().ends_with("unfused");
-    !unfused && (portable || backend != Backend::PORTABLE)
 }
 
 pub(crate) struct Scene<'r, R, const W: usize> {

@@ -1,10 +1,11 @@
 //! Limbs of two bones: the same bits for many at once, one by one, single, and in blocks of any
 //! width.
 
-use super::kernels::{Entries, Scene, from, fuses, of_motions, of_numbers};
+use super::kernels::{Entries, Scene, from, of_motions, of_numbers};
 use dq8::ik::{Limb, TwoBone};
 use dq8::storage::{Block, pack, unpack};
 use dq8::{Backend, Crowd, DualQuat, Hierarchy, Quat, Scalar};
+use dq8_contract::fusing::fuses;
 use dq8_simd::Row;
 
 const PARENTS: [u32; 4] = [Hierarchy::ROOT, 0, 1, 2];

@@ -1,10 +1,11 @@
 //! The sign of zero in hierarchies, with every number of instances.
 
-use super::kernels::{backends, fuses, of_motions};
+use super::kernels::{backends, of_motions};
 use dq8::hierarchy::{Clip, Poses, Sampled};
 use dq8::law::Sclerp;
 use dq8::storage::Block;
 use dq8::{Crowd, DualQuat, Hierarchy, Quat, Scalar};
+use dq8_contract::fusing::fuses;
 use dq8_simd::Row;
 
 /// No width of lanes divides all numbers up to this one.

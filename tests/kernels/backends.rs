@@ -4,6 +4,7 @@ use crate::records::same_bits;
 use crate::scene::{SMALL, Scene};
 use crate::subject::{Given, Task, subjects};
 use dq8::{Backend, Crowd, DualQuat, Hierarchy, Kernel, Level};
+use dq8_contract::fusing::PORTABLE_FUSES;
 
 #[test]
 fn every_backend_that_the_machine_has_is_available_and_the_last_is_the_best() {
@@ -73,8 +74,7 @@ fn a_job_runs_on_the_backend_that_it_names_and_on_the_best_unless_told() {
     };
     assert_eq!(models(None), models(Some(Backend::best())));
     if let Some(avx2) = Backend::avx2() {
-        let fused_everywhere = cfg!(target_feature = "fma");
-        assert!(fused_everywhere || models(Some(avx2)) != models(Some(Backend::PORTABLE)));
+        assert!(PORTABLE_FUSES || models(Some(avx2)) != models(Some(Backend::PORTABLE)));
         for subject in subjects() {
             // The same models for both, so that each kernel shows its own bits.
             let locals = scene.poses(1);
@@ -85,7 +85,7 @@ fn a_job_runs_on_the_backend_that_it_names_and_on_the_best_unless_told() {
                 [models, backward].map(|all| all.as_flattened().to_vec())
             };
             for (portable, fused) in run(Backend::PORTABLE).iter().zip(&run(avx2)) {
-                assert!(fused_everywhere || !same_bits(portable, fused), "{}", subject.name());
+                assert!(PORTABLE_FUSES || !same_bits(portable, fused), "{}", subject.name());
             }
         }
     }

@@ -8,6 +8,7 @@ use dq8::simd::Float;
 use dq8::storage::{AoSoA, Aos};
 use dq8::{Backend, DualQuat, Hierarchy, Quat, Real, ShapeError};
 use dq8_contract::bound::unit_roundoff;
+use dq8_contract::fusing::PORTABLE_FUSES;
 use dq8_contract::random::Random;
 
 /// Root, lengths, target, pole.
@@ -99,7 +100,7 @@ fn check<L: Memory>() {
                 assert_same_bits(got, wanted, &what);
             }
             for (got, wanted) in got.iter().zip(&wanted) {
-                if backend == Backend::PORTABLE && !cfg!(target_feature = "fma") {
+                if backend == Backend::PORTABLE && !PORTABLE_FUSES {
                     assert_same_bits(got, wanted, &format!("{} {backend}", L::name()));
                 }
                 // A fused product moves an almost stretched knee by the root of a rounding.

@@ -6,6 +6,7 @@ use crate::worst::WORST;
 use dq8::batch::Dual;
 use dq8::storage::{self, Element};
 use dq8::{Backend, Kernel, Lanes, Level, Real};
+use dq8_contract::fusing::PORTABLE_FUSES;
 use std::f64::consts::FRAC_PI_2;
 
 /// How many floats a backend gets at once.
@@ -201,7 +202,7 @@ fn no_float_is_farther_off_than_the_guide_says() {
 #[test]
 fn the_worst_floats_are_as_far_off_as_the_guide_says() {
     // On both kinds of lanes: those that fuse, and those that do not.
-    let both = cfg!(target_arch = "x86_64") && !cfg!(target_feature = "fma");
+    let both = cfg!(target_arch = "x86_64") && !PORTABLE_FUSES;
     for row in rows() {
         let mut worst = 0.0_f64;
         for &(_, bits, exact) in WORST.iter().filter(|(name, ..)| *name == row.name) {
