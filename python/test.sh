@@ -30,8 +30,8 @@ pip() { "$build/bin/python" -m pip "$@" --quiet --disable-pip-version-check --pr
 # maturin, as `pyproject.toml` asks for it, comes into an environment that lives as long as the build.
 MATURIN_PEP517_ARGS="--locked --compression-level=9 $*" pip wheel --no-deps --wheel-dir "$out/wheels" .
 # The wheel without other features: what users download.
-[ -n "$*" ] || [ "$(stat -c %s "$out"/wheels/dq8-*.whl)" -le 2800000 ] ||
-  { echo 'the wheel is larger than 2.8 MB: look for kernels that are compiled twice' >&2; exit 1; }
+[ -n "$*" ] || [ "$(stat -c %s "$out"/wheels/dq8-*.whl)" -le 3250000 ] ||
+  { echo 'the wheel is larger than 3.25 MB: look for kernels that are compiled twice' >&2; exit 1; }
 
 step 'tests, in a fresh environment'
 python3 -m venv --without-pip "$out/user"
