@@ -40,18 +40,71 @@ pub(crate) struct Ball {
     pub(crate) radius: f64,
 }
 
-/// Reads the shapes of a file. Meshes are not read, and an element that is not understood is left
-/// out, because a robot can be moved without shapes.
-pub(crate) fn shapes(urdf: &str, robot: &Robot) -> Vec<Shape> {
-    let Ok(document) = Document::parse(urdf) else { return Vec::new() };
-    let links = document.root_element().children().filter(|child| child.has_tag_name("link"));
-    let mut shapes = Vec::new();
-    for node in links {
-        let Some(link) = node.attribute("name").and_then(|name| robot.link(name)) else { continue };
-        let collisions = node.children().filter(|child| child.has_tag_name("collision"));
-        shapes.extend(collisions.filter_map(|collision| Shape::read(link, collision)));
+/// The shapes of a file.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Shapes {
+    pub(crate) all: Vec<Shape>,
+    /// The links that have a shape which was not read.
+    unread: Vec<usize>,
+}
+
+impl Shapes {
+    /// Reads the shapes of a file. Meshes are not read, and an element that is not understood is
+    /// left out, because a robot can be moved without shapes.
+    pub(crate) fn read(urdf: &str, robot: &Robot) -> Self {
+        let mut shapes = Self::default();
+        let Ok(document) = Document::parse(urdf) else { return shapes };
+        let links = document.root_element().children().filter(|child| child.has_tag_name("link"));
+        for node in links {
+            let Some(link) = node.attribute("name").and_then(|name| robot.link(name)) else {
+                continue;
+            };
+            for collision in node.children().filter(|child| child.has_tag_name("collision")) {
+                match Shape::read(link, collision) {
+                    Some(shape) => shapes.all.push(shape),
+                    None => shapes.unread.push(link),
+                }
+            }
+        }
+        shapes
     }
-    shapes
+
+    /// Returns how many of the links that move have shapes. A link counts for all that is fixed to
+    /// it.
+    pub(crate) fn known(&self, robot: &Robot) -> KnownShapes {
+        let moving = moving(robot);
+        let count = |links: &mut dyn Iterator<Item = usize>| {
+            let mut links: Vec<_> = links.map(|link| moving[link]).collect();
+            links.sort_unstable();
+            links.dedup();
+            links.len()
+        };
+        let read = || self.all.iter().map(|shape| shape.link);
+        let unread = || self.unread.iter().copied();
+        KnownShapes { links: count(&mut read().chain(unread())), unread: count(&mut unread()) }
+    }
+}
+
+/// Returns, for each link, the nearest link above it, or the link itself, that moves relative to
+/// its parent.
+fn moving(robot: &Robot) -> Vec<usize> {
+    let mut moving = Vec::new();
+    for (link, joint) in robot.joints().iter().enumerate() {
+        let moves = joint.kind.values() > 0 || joint.mimic.is_some();
+        moving.push(joint.parent.filter(|_| !moves).map_or(link, |parent| moving[parent]));
+    }
+    moving
+}
+
+/// How many links of a robot have collision shapes that are known. What is fixed to a link is a
+/// part of it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct KnownShapes {
+    /// The number of links that have collision shapes of any kind.
+    pub links: usize,
+    /// The number of those that have a shape which is not read: a mesh, or an element that is not
+    /// understood.
+    pub unread: usize,
 }
 
 impl Shape {
