@@ -13,12 +13,12 @@ type Vector = [f64; 3];
 pub(crate) struct Shape {
     pub(crate) link: usize,
     /// The pose of the shape on the link.
-    pose: DualQuat<f64>,
-    form: Form,
+    pub(crate) pose: DualQuat<f64>,
+    pub(crate) form: Form,
 }
 
 #[derive(Clone, Copy, Debug)]
-enum Form {
+pub(crate) enum Form {
     Box {
         half: Vector,
     },
@@ -30,14 +30,6 @@ enum Form {
         half: f64,
         radius: f64,
     },
-}
-
-/// A ball on a link.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Ball {
-    pub(crate) link: usize,
-    pub(crate) centre: Vector,
-    pub(crate) radius: f64,
 }
 
 /// The shapes of a file.
@@ -87,7 +79,7 @@ impl Shapes {
 
 /// Returns, for each link, the nearest link above it, or the link itself, that moves relative to
 /// its parent.
-fn moving(robot: &Robot) -> Vec<usize> {
+pub(crate) fn moving(robot: &Robot) -> Vec<usize> {
     let mut moving = Vec::new();
     for (link, joint) in robot.joints().iter().enumerate() {
         let moves = joint.kind.values() > 0 || joint.mimic.is_some();
@@ -163,39 +155,6 @@ impl Shape {
                 ((0..16).map(rim).collect(), 0.0)
             }
         }
-    }
-
-    /// Returns balls inside of the shape that fill it: a row along its longest side, or a plate of
-    /// them where two sides are long. Corners are outside of them.
-    pub(crate) fn balls(&self) -> Vec<Ball> {
-        let (half, radius) = match self.form {
-            Form::Sphere { radius } => ([0.0; 3], radius),
-            Form::Cylinder { half, radius } => {
-                let radius = radius.min(half);
-                ([0.0, 0.0, half - radius], radius)
-            }
-            Form::Box { half } => {
-                let radius = half.into_iter().fold(f64::INFINITY, f64::min);
-                (half.map(|half| half - radius), radius)
-            }
-        };
-        // Neighbours are at most three halves of a radius apart, but where a plate is so thin that
-        // it would be of too many balls.
-        let steps = half.map(|half| (4.0 * half / (3.0 * radius)).ceil().clamp(0.0, 4.0) as u32);
-        let along = |axis: usize, index: u32| match steps[axis] {
-            0 => 0.0,
-            steps => half[axis] * (2.0 * f64::from(index) / f64::from(steps) - 1.0),
-        };
-        let mut balls = Vec::new();
-        for x in 0..=steps[0] {
-            for y in 0..=steps[1] {
-                for z in 0..=steps[2] {
-                    let centre = self.pose.transform_point([along(0, x), along(1, y), along(2, z)]);
-                    balls.push(Ball { link: self.link, centre, radius });
-                }
-            }
-        }
-        balls
     }
 }
 

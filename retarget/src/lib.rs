@@ -17,6 +17,7 @@ mod role;
 mod settings;
 mod shape;
 mod smooth;
+mod solid;
 mod table;
 mod targets;
 

@@ -1,6 +1,6 @@
 //! [`Report`]: how well a motion follows its targets, and whether a robot can learn from it.
 
-use crate::collide::Balls;
+use crate::collide::Bodies;
 use crate::collision::KnownShapes;
 use crate::motion::BASE;
 use crate::{Humanoid, RetargetError, Targets};
@@ -162,14 +162,13 @@ fn self_hits(
     if shapes.unread > 0 {
         return Ok(None);
     }
-    let balls = Balls::new(humanoid, targets)?;
-    if balls.is_empty() {
+    let bodies = Bodies::new(humanoid, targets)?;
+    if bodies.is_empty() {
         return Ok(None);
     }
     let mut hits = vec![false; targets.frames()];
     let values: Vec<f32> = motion.iter().map(|&value| value as f32).collect();
-    let mechanism = humanoid.robot().cast()?;
-    balls.overlaps(&mechanism, &values, HIT, |frame, _, _, _| hits[frame] = true)?;
+    bodies.meetings(&values, HIT, |meeting| hits[meeting.frame] = true)?;
     Ok(Some(percentage(&hits)))
 }
 
