@@ -336,6 +336,18 @@ def test_long_clips_are_followed_as_short_ones(robot, tmp_path):
     assert len(long) == 64 * 150 and long.report["residual"] < short.report["residual"] + 3
 
 
+def test_self_hits_are_not_known_where_shapes_are_meshes(tmp_path):
+    shape = "<collision><geometry>{}</geometry></collision></link>"
+    text = URDF.read_text().replace('<link name="left_hand"/>', '<link name="left_hand">' + shape.format("<sphere radius='0.05'/>"))
+    text = text.replace('<link name="right_hand"/>', '<link name="right_hand">' + shape.format("<sphere radius='0.05'/>"))
+    spheres = rt.Humanoid(text)
+    meshes = rt.Humanoid(text.replace("<sphere radius='0.05'/>", "<mesh filename='hand.stl'/>", 1))
+    (tmp_path / "short.bvh").write_text(of_frames(20))
+    known, unknown = (rt.retarget(rt.load(tmp_path / "short.bvh"), robot, fps=60) for robot in (spheres, meshes))
+    assert known.report["self_hits"] == 0 and spheres.told == []
+    assert np.isnan(unknown.report["self_hits"]) and "1 of 2 links have meshes" in meshes.told[0]
+
+
 def test_an_archive_has_a_file_and_a_row_for_each_clip(clips, robot, tmp_path):
     told = []
     table = rt.archive(str(tmp_path / "clips/**/*.bvh"), robot, tmp_path / "out", workers=2, progress=told.append, bodies=BODIES, fps=60)

@@ -13,12 +13,12 @@ type Vector = [f64; 3];
 pub(crate) struct Shape {
     pub(crate) link: usize,
     /// The pose of the shape on the link.
-    pose: DualQuat<f64>,
-    form: Form,
+    pub(crate) pose: DualQuat<f64>,
+    pub(crate) form: Form,
 }
 
 #[derive(Clone, Copy, Debug)]
-enum Form {
+pub(crate) enum Form {
     Box {
         half: Vector,
     },
@@ -32,26 +32,71 @@ enum Form {
     },
 }
 
-/// A ball on a link.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Ball {
-    pub(crate) link: usize,
-    pub(crate) centre: Vector,
-    pub(crate) radius: f64,
+/// The shapes of a file.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Shapes {
+    pub(crate) all: Vec<Shape>,
+    /// The links that have a shape which was not read.
+    unread: Vec<usize>,
 }
 
-/// Reads the shapes of a file. Meshes are not read, and an element that is not understood is left
-/// out, because a robot can be moved without shapes.
-pub(crate) fn shapes(urdf: &str, robot: &Robot) -> Vec<Shape> {
-    let Ok(document) = Document::parse(urdf) else { return Vec::new() };
-    let links = document.root_element().children().filter(|child| child.has_tag_name("link"));
-    let mut shapes = Vec::new();
-    for node in links {
-        let Some(link) = node.attribute("name").and_then(|name| robot.link(name)) else { continue };
-        let collisions = node.children().filter(|child| child.has_tag_name("collision"));
-        shapes.extend(collisions.filter_map(|collision| Shape::read(link, collision)));
+impl Shapes {
+    /// Reads the shapes of a file. Meshes are not read, and an element that is not understood is
+    /// left out, because a robot can be moved without shapes.
+    pub(crate) fn read(urdf: &str, robot: &Robot) -> Self {
+        let mut shapes = Self::default();
+        let Ok(document) = Document::parse(urdf) else { return shapes };
+        let links = document.root_element().children().filter(|child| child.has_tag_name("link"));
+        for node in links {
+            let Some(link) = node.attribute("name").and_then(|name| robot.link(name)) else {
+                continue;
+            };
+            for collision in node.children().filter(|child| child.has_tag_name("collision")) {
+                match Shape::read(link, collision) {
+                    Some(shape) => shapes.all.push(shape),
+                    None => shapes.unread.push(link),
+                }
+            }
+        }
+        shapes
     }
-    shapes
+
+    /// Returns how many of the links that move have shapes. A link counts for all that is fixed to
+    /// it.
+    pub(crate) fn known(&self, robot: &Robot) -> KnownShapes {
+        let moving = moving(robot);
+        let count = |links: &mut dyn Iterator<Item = usize>| {
+            let mut links: Vec<_> = links.map(|link| moving[link]).collect();
+            links.sort_unstable();
+            links.dedup();
+            links.len()
+        };
+        let read = || self.all.iter().map(|shape| shape.link);
+        let unread = || self.unread.iter().copied();
+        KnownShapes { links: count(&mut read().chain(unread())), unread: count(&mut unread()) }
+    }
+}
+
+/// Returns, for each link, the nearest link above it, or the link itself, that moves relative to
+/// its parent.
+pub(crate) fn moving(robot: &Robot) -> Vec<usize> {
+    let mut moving = Vec::new();
+    for (link, joint) in robot.joints().iter().enumerate() {
+        let moves = joint.kind.values() > 0 || joint.mimic.is_some();
+        moving.push(joint.parent.filter(|_| !moves).map_or(link, |parent| moving[parent]));
+    }
+    moving
+}
+
+/// How many links of a robot have collision shapes that are known. What is fixed to a link is a
+/// part of it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct KnownShapes {
+    /// The number of links that have collision shapes of any kind.
+    pub links: usize,
+    /// The number of those that have a shape which is not read: a mesh, or an element that is not
+    /// understood.
+    pub unread: usize,
 }
 
 impl Shape {
@@ -110,39 +155,6 @@ impl Shape {
                 ((0..16).map(rim).collect(), 0.0)
             }
         }
-    }
-
-    /// Returns balls inside of the shape that fill it: a row along its longest side, or a plate of
-    /// them where two sides are long. Corners are outside of them.
-    pub(crate) fn balls(&self) -> Vec<Ball> {
-        let (half, radius) = match self.form {
-            Form::Sphere { radius } => ([0.0; 3], radius),
-            Form::Cylinder { half, radius } => {
-                let radius = radius.min(half);
-                ([0.0, 0.0, half - radius], radius)
-            }
-            Form::Box { half } => {
-                let radius = half.into_iter().fold(f64::INFINITY, f64::min);
-                (half.map(|half| half - radius), radius)
-            }
-        };
-        // Neighbours are at most three halves of a radius apart, but where a plate is so thin that
-        // it would be of too many balls.
-        let steps = half.map(|half| (4.0 * half / (3.0 * radius)).ceil().clamp(0.0, 4.0) as u32);
-        let along = |axis: usize, index: u32| match steps[axis] {
-            0 => 0.0,
-            steps => half[axis] * (2.0 * f64::from(index) / f64::from(steps) - 1.0),
-        };
-        let mut balls = Vec::new();
-        for x in 0..=steps[0] {
-            for y in 0..=steps[1] {
-                for z in 0..=steps[2] {
-                    let centre = self.pose.transform_point([along(0, x), along(1, y), along(2, z)]);
-                    balls.push(Ball { link: self.link, centre, radius });
-                }
-            }
-        }
-        balls
     }
 }
 

@@ -17,6 +17,13 @@ const LOW: f64 = 0.04;
 /// A foot that stands for a shorter time does not stand. Seconds.
 const SHORTEST: f64 = 0.1;
 
+/// A joint of a foot that stands is at most so far from its median place, or the foot has wandered:
+/// slowly enough to seem to stand, as from standing to kneeling. Metres.
+const FAR: f64 = 0.05;
+
+/// The time for which a foot that has wandered does not stand. Seconds.
+const LET_GO: f64 = 0.4;
+
 /// The cosine of an eighth of a round.
 const FLAT: f64 = core::f64::consts::FRAC_1_SQRT_2;
 
@@ -57,8 +64,11 @@ impl Foot {
     pub(crate) fn find(&mut self, skeleton: &[Vector], count: usize, joints: &[usize], step: f64) {
         let frames = skeleton.len() / count;
         let mut stands = vec![frames > 1; frames];
-        for &joint in joints {
-            let course: Vec<_> = skeleton.iter().skip(joint).step_by(count).copied().collect();
+        let course = |&joint: &usize| -> Vec<Vector> {
+            skeleton.iter().skip(joint).step_by(count).copied().collect()
+        };
+        let courses: Vec<_> = joints.iter().map(course).collect();
+        for course in &courses {
             let mut heights: Vec<_> = course.iter().map(|place| place[2]).collect();
             heights.sort_by(f64::total_cmp);
             let Some(lowest) = heights.get(heights.len() / 20) else { continue };
@@ -75,7 +85,8 @@ impl Foot {
         for frame in 0..=frames {
             if !stands.get(frame).copied().unwrap_or(false) {
                 if frame - first >= least {
-                    self.stands.push(first..frame);
+                    let let_go = (LET_GO / step).ceil() as usize;
+                    self.stands.extend(staying(first..frame, &courses, least, let_go));
                 }
                 first = frame + 1;
             }
@@ -181,6 +192,40 @@ impl Foot {
         let depth = self.lowest(DualQuat::from_rotation(flat));
         DualQuat::from_rotation_translation(flat, [x, y, -depth])
     }
+}
+
+/// Returns the parts of a run of frames in which joints stay where they are. Where they have
+/// wandered, `let_go` frames are left out about the middle of their way.
+fn staying(
+    run: Range<usize>,
+    courses: &[Vec<Vector>],
+    least: usize,
+    let_go: usize,
+) -> Vec<Range<usize>> {
+    let (mut parts, mut open) = (Vec::new(), vec![run]);
+    while let Some(run) = open.pop() {
+        let wandered = courses.iter().find(|course| {
+            let course = &course[run.clone()];
+            let median = |axis: usize| middle(course.iter().map(|place| place[axis]).collect());
+            let median = [median(0), median(1), median(2)];
+            course.iter().any(|&place| norm(sub(place, median)) > FAR)
+        });
+        let Some(course) = wandered else {
+            parts.push(run);
+            continue;
+        };
+        let span = let_go.min(run.len());
+        let way = |&first: &usize| norm(sub(course[first + span - 1], course[first]));
+        let starts = run.start..=run.end - span;
+        let first = starts.max_by(|a, b| way(a).total_cmp(&way(b))).unwrap_or(run.start);
+        // The later part is taken up last, so that parts are in the order of time.
+        for part in [first + span..run.end, run.start..first] {
+            if part.len() >= least {
+                open.push(part);
+            }
+        }
+    }
+    parts
 }
 
 /// Returns the height of the ground under the targets: the median height of soles that stand, or,

@@ -1,6 +1,6 @@
 //! [`Humanoid`], a robot with the roles that its links have.
 
-use crate::collision::{Shape as Collision, Sole, shapes};
+use crate::collision::{KnownShapes, Shape as Collision, Shapes, Sole};
 use crate::names::{find, plain};
 use crate::role::Role;
 use crate::shape::{Body, Shape, facing, leftward};
@@ -53,7 +53,7 @@ pub struct Humanoid {
     parts: [Option<Part>; Role::COUNT],
     /// The rotation of the base that turns the robot to x forward and y to the left.
     axes: Quat<f64>,
-    collisions: Vec<Collision>,
+    collisions: Shapes,
     told: Vec<String>,
 }
 
@@ -75,7 +75,7 @@ impl Humanoid {
     pub fn from_bytes(urdf: &[u8], table: Option<&str>) -> Result<Self, RetargetError> {
         let robot = with_floating_base(Robot::from_bytes(urdf)?)?;
         // Shapes of collisions are read from UTF-8 text alone.
-        let collisions = shapes(std::str::from_utf8(urdf).unwrap_or_default(), &robot);
+        let collisions = Shapes::read(std::str::from_utf8(urdf).unwrap_or_default(), &robot);
         let mut humanoid = Self {
             robot,
             parts: [None; Role::COUNT],
@@ -87,6 +87,13 @@ impl Humanoid {
         humanoid.find(&poses, table)?;
         let left = leftward(|role| Some(poses[humanoid.part(role)?.centre].translation()));
         humanoid.axes = facing(left);
+        let KnownShapes { links, unread } = humanoid.known_shapes();
+        if unread > 0 {
+            humanoid.told.push(format!(
+                "{unread} of {links} links have meshes as collision shapes, which are not read: they \
+                 are not pushed apart, and self-hits are not known"
+            ));
+        }
         Ok(humanoid)
     }
 
@@ -192,7 +199,8 @@ impl Humanoid {
         self.parts[role as usize]
     }
 
-    /// Sentences about parts whose names mislead, and about what had to be assumed.
+    /// Sentences about parts whose names mislead, about what had to be assumed, and about shapes
+    /// that are not read.
     #[must_use]
     pub fn told(&self) -> &[String] {
         &self.told
@@ -217,12 +225,18 @@ impl Humanoid {
     }
 
     pub(crate) fn collisions(&self) -> &[Collision] {
-        &self.collisions
+        &self.collisions.all
+    }
+
+    /// Returns how many links have collision shapes that are known. Meshes are not read.
+    #[must_use]
+    pub fn known_shapes(&self) -> KnownShapes {
+        self.collisions.known(&self.robot)
     }
 
     /// Returns the sole of a foot. Returns `None` if the file has no shape at the foot.
     pub(crate) fn sole(&self, poses: &[DualQuat<f64>], role: Role) -> Option<Sole> {
-        Sole::of(&self.robot, &self.collisions, poses, self.part(role)?.link)
+        Sole::of(&self.robot, &self.collisions.all, poses, self.part(role)?.link)
     }
 }
 

@@ -17,10 +17,12 @@ mod role;
 mod settings;
 mod shape;
 mod smooth;
+mod solid;
 mod table;
 mod targets;
 
 pub use body_model::BodyModel;
+pub use collision::KnownShapes;
 pub use dq8_bvh::{Clip, Warning};
 pub use error::RetargetError;
 pub use humanoid::{Humanoid, Part, Source};

@@ -1,6 +1,6 @@
 //! [`retarget`], which brings the motion of a person on a robot, and [`Motion`], its result.
 
-use crate::collide::Balls;
+use crate::collide::Bodies;
 use crate::feet::Foot;
 use crate::smooth::{lambda, slow_down, smooth};
 use crate::{Humanoid, Person, Report, RetargetError, Role, Settings, Speeds, Targets};
@@ -184,13 +184,12 @@ impl Targets {
             targets: self,
         };
         search.follow(&poses, work)?;
-        let mechanism = robot.cast()?;
-        let balls = settings.collide.then(|| Balls::new(humanoid, self)).transpose()?;
-        let balls = balls.filter(|balls| !balls.is_empty());
+        let bodies = settings.collide.then(|| Bodies::new(humanoid, self)).transpose()?;
+        let bodies = bodies.filter(|bodies| !bodies.is_empty());
         let passes = if settings.smooth.is_some() { PASSES } else { 0 };
         for pass in 0..MOST_PASSES {
-            let meets = match &balls {
-                Some(balls) => balls.push(&mechanism, &search.values, self, &mut poses)?,
+            let meets = match &bodies {
+                Some(bodies) => bodies.push(&search.values, self, &mut poses)?,
                 None => false,
             };
             if pass >= passes && !meets {

@@ -1,6 +1,7 @@
 //! [`Report`]: how well a motion follows its targets, and whether a robot can learn from it.
 
-use crate::collide::Balls;
+use crate::collide::Bodies;
+use crate::collision::KnownShapes;
 use crate::motion::BASE;
 use crate::{Humanoid, RetargetError, Targets};
 use dq8::DualQuat;
@@ -42,8 +43,10 @@ pub struct Report {
     /// The largest distance of a value beyond its limits, rad.
     pub beyond: f64,
     /// The percentage of frames in which the robot is more than a centimetre deep in itself. It is
-    /// `None` if the robot's file has no shapes that could meet.
+    /// `None` where that is not known: a shape is a mesh, or there are no shapes that could meet.
     pub self_hits: Option<f64>,
+    /// How many links have shapes from which `self_hits` is known.
+    pub shapes: KnownShapes,
 }
 
 impl Report {
@@ -77,12 +80,7 @@ impl Report {
         }
         let soles = Soles::of(targets, &poses, links);
         let joints = Joints::of(targets, humanoid, motion, count);
-        let balls = Balls::new(humanoid, targets)?;
-        let mut hits = vec![false; targets.frames()];
-        if !balls.is_empty() {
-            let values: Vec<f32> = motion.iter().map(|&value| value as f32).collect();
-            balls.overlaps(&robot.cast()?, &values, HIT, |frame, _, _, _| hits[frame] = true)?;
-        }
+        let shapes = humanoid.known_shapes();
         Ok(Self {
             residual: mean(&apart),
             residual_high: high(&mut apart),
@@ -97,7 +95,8 @@ impl Report {
             jerk: joints.jerk,
             at_limits: joints.at_limits,
             beyond: joints.beyond,
-            self_hits: (!balls.is_empty()).then(|| percentage(&hits)),
+            self_hits: self_hits(targets, humanoid, motion, shapes)?,
+            shapes,
         })
     }
 
@@ -140,10 +139,37 @@ impl fmt::Display for Report {
         row("jerk, rad/s³", format!("{:.0}", self.jerk))?;
         row("at limits, %", format!("{:.1}", self.at_limits))?;
         row("beyond limits, rad", format!("{:.1e}", self.beyond))?;
-        let hits =
-            self.self_hits.map_or("unknown, without shapes".into(), |hits| format!("{hits:.1}"));
+        let KnownShapes { links, unread } = self.shapes;
+        let hits = match self.self_hits {
+            Some(hits) => format!("{hits:.1} ({links} links have shapes)"),
+            None if unread > 0 => {
+                format!("not known: {unread} of {links} links have meshes as shapes")
+            }
+            None => "not known: there are no shapes that could meet".into(),
+        };
         row("self-hits, % of frames", hits)
     }
+}
+
+/// Returns the percentage of frames in which shapes meet, if all shapes are known.
+fn self_hits(
+    targets: &Targets,
+    humanoid: &Humanoid,
+    motion: &[f64],
+    shapes: KnownShapes,
+) -> Result<Option<f64>, RetargetError> {
+    // Shapes that were read may meet seldom, and those that were not may meet in every frame.
+    if shapes.unread > 0 {
+        return Ok(None);
+    }
+    let bodies = Bodies::new(humanoid, targets)?;
+    if bodies.is_empty() {
+        return Ok(None);
+    }
+    let mut hits = vec![false; targets.frames()];
+    let values: Vec<f32> = motion.iter().map(|&value| value as f32).collect();
+    bodies.meetings(&values, HIT, |meeting| hits[meeting.frame] = true)?;
+    Ok(Some(percentage(&hits)))
 }
 
 /// The measures of the soles.

@@ -34,7 +34,7 @@ UNITS = {
     "jerk": "rad/s³, the mean third derivative of joints",
     "at_limits": "% of values at a limit",
     "beyond": "rad, the largest distance of a value beyond its limits",
-    "self_hits": "% of frames in which the robot is more than 10 mm deep in itself; NaN without shapes",
+    "self_hits": "% of frames in which the robot is more than 10 mm deep in itself; NaN if shapes are meshes or there are none",
 }
 
 

@@ -74,7 +74,8 @@ impl Humanoid {
         Role::ALL.into_iter().filter_map(found).collect()
     }
 
-    /// Sentences about parts whose names mislead, and about what had to be assumed.
+    /// Sentences about parts whose names mislead, about what had to be assumed, and about shapes
+    /// that are not read.
     #[getter]
     fn told(&self) -> Vec<String> {
         self.humanoid.told().to_vec()

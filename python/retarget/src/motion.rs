@@ -161,7 +161,7 @@ fn measures<'py>(py: Python<'py>, report: &Report) -> PyResult<Measures<'py>> {
         ("jerk", report.jerk),
         ("at_limits", report.at_limits),
         ("beyond", report.beyond),
-        // Not known, where the file has no shapes.
+        // Not known where the file has no shapes or has meshes as shapes.
         ("self_hits", report.self_hits.unwrap_or(f64::NAN)),
     ];
     Ok((numbers.into_py_dict(py)?, report.warnings()))

@@ -1,0 +1,58 @@
+//! The collision shapes of a robot: which of them are known, and where they meet.
+
+mod common;
+
+use common::{HUMANOID, person, with_shape, with_soles};
+use dq8_retarget::{Humanoid, KnownShapes, Settings, retarget};
+use mocap::biped;
+
+#[test]
+fn self_hits_are_not_known_where_a_link_has_a_mesh() {
+    let mesh = "<mesh filename='package://robot/meshes/chest.stl'/>";
+    let sphere = "<sphere radius='0.06'/>";
+    let read = with_shape(&with_soles(), "left_hand", "0 0 -0.03", sphere);
+    // Two shapes of one link that are not read make one link.
+    let meshes = with_shape(&with_shape(&read, "chest", "0 0 0", mesh), "chest", "0 0 0.1", mesh);
+    let unknown = "not known: 1 of 4 links have meshes as shapes";
+    for (urdf, links, unread, hits) in [
+        (HUMANOID, 0, 0, "not known: there are no shapes that could meet"),
+        (&read, 3, 0, "0.0 (3 links have shapes)"),
+        (&meshes, 4, 1, unknown),
+        // A mesh beside a sphere on one link is as unknown as a mesh alone.
+        (&with_shape(&meshes, "chest", "0 0 0", sphere), 4, 1, unknown),
+    ] {
+        let humanoid = Humanoid::from_urdf(urdf).unwrap();
+        let report =
+            retarget(&person(&biped::clip()), &humanoid, &Settings::default()).unwrap().report;
+        assert_eq!(humanoid.known_shapes(), KnownShapes { links, unread });
+        assert_eq!(report.shapes, humanoid.known_shapes());
+        assert_eq!(report.self_hits.is_none(), hits.starts_with("not known"), "{report}");
+        assert!(
+            report.to_string().contains(&format!("self-hits, % of frames       {hits}\n")),
+            "{report}"
+        );
+        let told = humanoid.to_string();
+        assert_eq!(told.contains("links have meshes as collision shapes"), unread > 0, "{told}");
+    }
+}
+
+#[test]
+fn thousands_of_balls_on_links_that_do_not_meet_cost_no_pairs() {
+    let mut urdf = with_soles();
+    let ball =
+        "<collision><origin xyz='0 0 0'/><geometry><sphere radius='0.02'/></geometry></collision>";
+    for link in ["left_hand", "right_hand"] {
+        let element = format!("<link name=\"{link}\"/>");
+        assert!(urdf.contains(&element));
+        let balls = ball.repeat(4000);
+        urdf = urdf.replace(&element, &format!("<link name=\"{link}\">{balls}</link>"));
+    }
+    let humanoid = Humanoid::from_urdf(&urdf).unwrap();
+    let mut clip = biped::clip();
+    clip.values.truncate(10 * clip.channels());
+    // Pairs of balls would be 32 millions, with their depths and places in each frame.
+    let begin = std::time::Instant::now();
+    let report = retarget(&person(&clip), &humanoid, &Settings::default()).unwrap().report;
+    assert_eq!((report.shapes.links, report.self_hits), (4, Some(0.0)));
+    assert!(begin.elapsed().as_secs_f64() < 20.0, "{:?}", begin.elapsed());
+}
