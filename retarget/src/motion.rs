@@ -7,7 +7,6 @@ use crate::{Humanoid, Person, Report, RetargetError, Role, Settings, Speeds, Tar
 use dq8::DualQuat;
 use dq8_robot::ik::{self, Goal, Options, OwnedReach, Tracking};
 use dq8_robot::urdf::{Drive, Robot};
-use std::ops::Range;
 
 /// The time that the robot lags behind in the first search, seconds. The targets are then farther
 /// away by less than a fiftieth.
@@ -26,14 +25,19 @@ const PARTS: usize = 16;
 /// ended from block to block.
 const LONG: usize = 512;
 
-/// The number of frames that are followed at once where a clip has no parts.
-const TOGETHER: usize = 32;
+/// The number of frames that are followed at once where a clip has no parts, and where parts are
+/// mended.
+const TOGETHER: usize = 16;
 
 /// The time by which parts of a clip begin early. Seconds.
 const EARLY: f64 = 0.3;
 
 /// A part whose joints are farther than this from the part before it is followed again. Radians.
 const TORN: f32 = 0.3;
+
+/// A frame that is farther from its targets than another search by more than this has lost them.
+/// Metres.
+const LOST: f32 = 0.05;
 
 /// Joints that are nearer to those of another search than this have met it. Radians.
 const MET: f32 = 0.03;
@@ -180,6 +184,7 @@ impl Targets {
             limits: robot.value_limits(),
             speeds: speeds(robot, settings),
             values: start.repeat(self.frames()),
+            errors: vec![0.0; self.frames()],
             reach,
             targets: self,
         };
@@ -202,6 +207,24 @@ impl Targets {
     }
 }
 
+/// A search from frame to frame of a clip, forward or, where targets were lost, backward.
+struct Run {
+    next: usize,
+    is_lost: bool,
+}
+
+impl Run {
+    /// The frame from which it goes on.
+    fn start(&self) -> usize {
+        if self.is_lost { self.next + 1 } else { self.next - 1 }
+    }
+
+    /// The frames that it has before it, of so many in the clip.
+    fn frames(&self, total: usize) -> Box<dyn Iterator<Item = usize>> {
+        if self.is_lost { Box::new((0..=self.next).rev()) } else { Box::new(self.next..total) }
+    }
+}
+
 /// Searches over all frames of a clip.
 struct Passes<'t> {
     targets: &'t Targets,
@@ -211,6 +234,8 @@ struct Passes<'t> {
     columns: usize,
     /// `[frame][value]`
     values: Vec<f32>,
+    /// How far each frame is from its targets after the first search, metres.
+    errors: Vec<f32>,
 }
 
 impl Passes<'_> {
@@ -259,74 +284,96 @@ impl Passes<'_> {
             first = rows.end;
         }
 
-        let (mut row, mut torn) = (0, Vec::new());
+        let (mut row, mut runs) = (0, Vec::new());
         for (part, clip) in clips.iter().enumerate() {
             let part_values = &values[row * self.columns..(row + clip) * self.columns];
+            let part_errors = reports[row..row + clip].iter().map(|report| report.linear_error);
             row += clip;
             // Where the part before it ends, both parts count, and this one more and more.
-            let common = cut(part) - begin(part);
+            let mut common = cut(part) - begin(part);
+            let mut is_torn = false;
             if part > 0 {
                 let own = &part_values[(common - 1) * self.columns..][..self.columns];
                 let before = &self.values[(cut(part) - 1) * self.columns..][..self.columns];
-                if apart(own, before) > TORN {
-                    torn.push(part);
+                is_torn = apart(own, before) > TORN;
+            }
+            if is_torn {
+                let own = reports[row - clip + common - 1].linear_error;
+                let is_lost = self.errors[cut(part) - 1] > own + LOST;
+                runs.push(Run { next: if is_lost { begin(part) } else { cut(part) }, is_lost });
+                if is_lost {
+                    common = 0;
                 }
             }
-            let own = self.values[begin(part) * self.columns..].chunks_exact_mut(self.columns);
-            for (index, (own, new)) in own.zip(part_values.chunks_exact(self.columns)).enumerate() {
+            let frames = self.values[begin(part) * self.columns..].chunks_exact_mut(self.columns);
+            let errors = self.errors[begin(part)..].iter_mut().zip(part_errors);
+            let new = part_values.chunks_exact(self.columns).zip(errors);
+            for (index, (own, (new, (error, new_error)))) in frames.zip(new).enumerate() {
                 if index >= common {
                     own.copy_from_slice(new);
-                } else if torn.last() != Some(&part) {
+                    *error = new_error;
+                } else if !is_torn {
                     blend(own, new, (index + 1) as f32 / (common + 1) as f32);
                 }
             }
         }
-        while !torn.is_empty() {
-            torn = self.mend(poses, &torn, cut)?;
-            work.has_done(0.0)?;
-        }
-        Ok(())
+        self.mend(poses, runs, work)
     }
 
-    /// Follows torn parts again, all of them at once, each from the end of the part before it,
-    /// until they meet the values that were there. Returns the parts after those that never met
-    /// them: they began at an end that has changed.
+    /// Follows torn parts again, all of them at once: forward from the end of the part before
+    /// them, or, if that part has lost its targets, backward through it. A run ends where it meets
+    /// the values that were there, and where it loses targets that they reach. One that goes on
+    /// through frames of another run meets what that one has written.
     fn mend(
         &mut self,
         poses: &[DualQuat<f32>],
-        torn: &[usize],
-        cut: impl Fn(usize) -> usize,
-    ) -> Result<Vec<usize>, RetargetError> {
+        mut runs: Vec<Run>,
+        work: &mut Work<'_>,
+    ) -> Result<(), RetargetError> {
         let (goals, columns) = (self.targets.goals.len(), self.columns);
-        let parts: Vec<_> = torn.iter().map(|&part| cut(part)..cut(part + 1)).collect();
-        let clips: Vec<_> = parts.iter().map(Range::len).collect();
-        let (mut wanted, mut values) = (Vec::new(), Vec::new());
-        for part in &parts {
-            wanted.extend(&poses[part.start * goals..part.end * goals]);
-            let row = values.len();
-            values.resize(row + part.len() * columns, 0.0);
-            let before = &self.values[(part.start - 1) * columns..][..columns];
-            values[row..row + columns].copy_from_slice(before);
-        }
-        let mut reports = vec![ik::Report::default(); values.len() / columns];
-        let options = self.targets.tracking().cast();
-        self.reach.job().sequence(&clips, &wanted, &mut values, &mut reports, &options)?;
-        let (mut rows, mut next) = (values.chunks_exact(columns), Vec::new());
-        for (&part, range) in torn.iter().zip(parts) {
-            let end = range.end;
-            let own = self.values[range.start * columns..end * columns].chunks_exact_mut(columns);
-            let mut is_met = false;
-            for (own, new) in own.zip(rows.by_ref()) {
-                is_met |= apart(own, new) < MET;
-                if !is_met {
-                    own.copy_from_slice(new);
+        let (total, options) = (self.targets.frames(), self.targets.tracking().cast());
+        let (mut wanted, mut values, mut clips) = (Vec::new(), Vec::new(), Vec::new());
+        let mut reports = vec![ik::Report::default(); runs.len() * TOGETHER];
+        while !runs.is_empty() {
+            wanted.clear();
+            values.clear();
+            clips.clear();
+            for run in &runs {
+                let start = run.start() * columns;
+                values.extend_from_slice(&self.values[start..start + columns]);
+                let count = run.frames(total).take(TOGETHER).count();
+                values.resize(values.len() + (count - 1) * columns, 0.0);
+                for frame in run.frames(total).take(TOGETHER) {
+                    wanted.extend_from_slice(&poses[frame * goals..(frame + 1) * goals]);
                 }
+                clips.push(count);
             }
-            if !is_met && end < self.targets.frames() {
-                next.push(part + 1);
-            }
+            let reports = &mut reports[..values.len() / columns];
+            self.reach.job().sequence(&clips, &wanted, &mut values, reports, &options)?;
+            let (mut first, mut counts) = (0, clips.iter());
+            runs.retain_mut(|run| {
+                let rows = first..first + counts.next().unwrap_or(&0);
+                first = rows.end;
+                for row in rows {
+                    let new = &values[row * columns..(row + 1) * columns];
+                    let own = &mut self.values[run.next * columns..(run.next + 1) * columns];
+                    let (error, before) = (reports[row].linear_error, self.errors[run.next]);
+                    // Backward it is elsewhere in what targets leave free: passes smooth the rest.
+                    let near = if run.is_lost { TORN } else { MET };
+                    let is_met = apart(own, new) < near && before < error + LOST;
+                    if is_met || error > before + LOST {
+                        return false;
+                    }
+                    own.copy_from_slice(new);
+                    self.errors[run.next] = error;
+                    let Some(next) = run.frames(total).nth(1) else { return false };
+                    run.next = next;
+                }
+                true
+            });
+            work.has_done(0.0)?;
         }
-        Ok(next)
+        Ok(())
     }
 
     /// Follows the targets, frame after frame, from the first one.
@@ -477,4 +524,48 @@ fn single(poses: &[DualQuat<f64>]) -> Vec<DualQuat<f32>> {
 
 fn cast(numbers: &[f64]) -> Vec<f32> {
     numbers.iter().map(|&number| number as f32).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{BASE, Passes, Run, Targets, Work, apart, cast, problem, single, speeds};
+    use crate::{Humanoid, Person, Settings};
+
+    #[test]
+    fn frames_that_have_lost_their_targets_are_followed_backward_from_those_that_have_not() {
+        let urdf = include_bytes!("../../robot/robots/humanoid.urdf");
+        let humanoid = Humanoid::from_bytes(urdf, None).unwrap();
+        let bvh = include_bytes!("../../examples/mocap/walk.bvh");
+        let (person, _) = Person::from_bvh("walk", bvh).unwrap();
+        let settings = Settings::plain();
+        let targets = Targets::new(&person, &humanoid, &settings).unwrap();
+        let (frames, start) = (targets.frames(), cast(&targets.first(&humanoid).unwrap()));
+        let mut search = Passes {
+            columns: start.len(),
+            limits: humanoid.robot().value_limits(),
+            speeds: speeds(humanoid.robot(), &settings),
+            values: start.repeat(frames),
+            errors: vec![0.0; frames],
+            reach: problem(&humanoid, &targets.goals, &targets.start).unwrap(),
+            targets: &targets,
+        };
+        let (poses, columns) = (single(&targets.poses), start.len());
+        let work = &mut Work { go_on: &mut |_| true, done: 0.0 };
+        search.follow_on(&poses, work).unwrap();
+        let right = search.values.clone();
+        for frame in 5..25 {
+            search.values[frame * columns + BASE - 1] += 2.0;
+            search.values[frame * columns + BASE..][..8].fill(1.0);
+            search.errors[frame] = 2.0;
+        }
+        // Another run begins where nothing is lost, and ends there.
+        let runs = vec![Run { next: 24, is_lost: true }, Run { next: 28, is_lost: false }];
+        search.mend(&poses, runs, work).unwrap();
+        for (frame, rows) in right.chunks(columns).zip(search.values.chunks(columns)).enumerate() {
+            let (right, mended) = rows;
+            let height = (right[BASE - 1] - mended[BASE - 1]).abs();
+            assert!(height < 0.02 && apart(right, mended) < 0.3, "{frame}: {right:?} {mended:?}");
+            assert!(frame.abs_diff(14) < 11 || right == mended, "{frame} was not lost");
+        }
+    }
 }
