@@ -289,7 +289,8 @@ impl Bodies {
             for (side, sign) in sides.iter().zip([1.0, -1.0]) {
                 for &goal in side {
                     let push = &mut pushes[frame * goals + goal];
-                    // What other pairs push this way counts, because pairs of two links say the same.
+                    // What other pairs push this way counts, because pairs of two links say the
+                    // same.
                     let (old, way) = (push.map(f64::from), scale(way, sign));
                     let lack = size - dot(old, way);
                     if lack > 0.0 {

@@ -2,6 +2,7 @@
 
 use crate::Person;
 use crate::collision::Sole;
+use crate::smooth::{SLOWEST, lambda, smooth};
 use dq8::scalar::vector::{add, dot, norm, over_norm, scale, sub};
 use dq8::{DualQuat, Quat};
 use std::ops::Range;
@@ -23,6 +24,9 @@ const FAR: f64 = 0.05;
 
 /// The time for which a foot that has wandered does not stand. Seconds.
 const LET_GO: f64 = 0.4;
+
+/// The body follows the ways of held feet with at most this frequency. Hz.
+const SHARED: f64 = 1.0;
 
 /// The cosine of an eighth of a round.
 const FLAT: f64 = core::f64::consts::FRAC_1_SQRT_2;
@@ -131,8 +135,13 @@ impl Foot {
 
     /// Changes the targets so that the foot is flat on the ground and does not move while it
     /// stands, and is nowhere under the ground. In the air, the changes before and after are
-    /// shared out.
-    pub(crate) fn hold(&self, targets: &mut [DualQuat<f64>], goals: usize, frames: usize) {
+    /// shared out. Returns the way of each frame.
+    pub(crate) fn hold(
+        &self,
+        targets: &mut [DualQuat<f64>],
+        goals: usize,
+        frames: usize,
+    ) -> Vec<Vector> {
         let at = |frame: usize| frame * goals + self.goal;
         let mut held: Vec<Held> = Vec::new();
         for run in &self.stands {
@@ -144,7 +153,7 @@ impl Foot {
                 held.push(Held { frame, turn, way });
             }
         }
-        let mut next = 0;
+        let (mut next, mut ways) = (0, Vec::new());
         for frame in 0..frames {
             while held.get(next).is_some_and(|held| held.frame < frame) {
                 next += 1;
@@ -163,7 +172,9 @@ impl Foot {
             let depth = -self.lowest(DualQuat::from_rotation_translation(turn, place));
             place[2] += depth.max(0.0);
             targets[at(frame)] = DualQuat::from_rotation_translation(turn, place);
+            ways.push(sub(place, old.translation()));
         }
+        ways
     }
 
     /// Returns the target of the foot in a run of frames in which it stands: flat on the ground, in
@@ -226,6 +237,20 @@ fn staying(
         }
     }
     parts
+}
+
+/// Returns the way of the whole body in each frame: the mean of the ways by which held feet were
+/// moved, `[foot][frame]`, without what changes with every stride.
+pub(crate) fn shared(ways: &[Vec<Vector>], step: f64) -> Vec<Vector> {
+    let frames = ways.iter().map(Vec::len).min().unwrap_or(0);
+    let mean = |frame: usize| {
+        let sum = ways.iter().fold([0.0; 3], |sum, ways| add(sum, ways[frame]));
+        scale(sum, 1.0 / ways.len() as f64).map(|part| part as f32)
+    };
+    let mut shared: Vec<[f32; 3]> = (0..frames).map(mean).collect();
+    let frequency = SHARED.max(SLOWEST / step);
+    smooth(shared.as_flattened_mut(), 3, lambda(frequency, step));
+    shared.into_iter().map(|way| way.map(f64::from)).collect()
 }
 
 /// Returns the height of the ground under the targets: the median height of soles that stand, or,

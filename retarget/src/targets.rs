@@ -165,9 +165,17 @@ impl Targets {
         self.poses.iter_mut().for_each(|target| *target = lower * *target);
         self.skeleton.iter_mut().for_each(|place| place[2] -= ground);
         if settings.feet {
-            let frames = self.frames();
-            for foot in &self.feet {
-                foot.hold(&mut self.poses, self.goals.len(), frames);
+            let (frames, goals) = (self.frames(), self.goals.len());
+            let hold = |foot: &Foot| foot.hold(&mut self.poses, goals, frames);
+            let ways: Vec<_> = self.feet.iter().map(hold).collect();
+            // A robot of other proportions does not kneel as high over its feet as the person.
+            let shifts = feet::shared(&ways, self.step);
+            for (poses, &shift) in self.poses.chunks_exact_mut(goals).zip(&shifts) {
+                for (pose, place) in poses.iter_mut().zip(&self.places) {
+                    if !place.role.is_foot() {
+                        *pose = DualQuat::from_translation(shift) * *pose;
+                    }
+                }
             }
         }
         Ok(())

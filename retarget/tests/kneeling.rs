@@ -31,7 +31,8 @@ const FRAMES: usize = 180;
 const STEP: f64 = 1.0 / 30.0;
 
 /// Returns the places of the joints if the hips are so low, and the left foot so far behind.
-fn places(drop: f64, behind: f64) -> [Vector; JOINTS.len()] {
+/// `thigh` and `shank` are lengths.
+fn places(drop: f64, behind: f64, [thigh, shank]: [f64; 2]) -> [Vector; JOINTS.len()] {
     let mut at = [[0.0; 3]; JOINTS.len()];
     let hips = 0.92 - drop;
     at[0] = [0.0, 0.0, hips];
@@ -39,11 +40,13 @@ fn places(drop: f64, behind: f64) -> [Vector; JOINTS.len()] {
     at[2] = [0.0, 0.0, hips + 0.6];
     for (first, arm, side, ankle) in [(3, 11, 0.1, -behind), (7, 14, -0.1, 0.0)] {
         let (hip, foot) = ([0.0, side, hips], [ankle, side, 0.08]);
-        // The knee is ahead of the middle, so that thigh and shank are 0.43 m long.
+        // The knee is ahead of the way from the hip to the foot.
         let (x, z) = (foot[0] - hip[0], foot[2] - hip[2]);
         let way = x.hypot(z);
-        let bend = (0.43_f64.powi(2) - 0.25 * way * way).sqrt();
-        let knee = [hip[0] + 0.5 * x - bend * z / way, side, hip[2] + 0.5 * z + bend * x / way];
+        let along = (way * way + thigh * thigh - shank * shank) / (2.0 * way);
+        let bend = (thigh * thigh - along * along).sqrt();
+        let [cos, sin] = [along / way, bend / way];
+        let knee = [hip[0] + cos * x - sin * z, side, hip[2] + cos * z + sin * x];
         let toes = [foot[0] + 0.13, side, 0.03];
         at[first..first + 4].copy_from_slice(&[hip, knee, foot, toes]);
         for (joint, down) in [0.0, 0.28, 0.53].into_iter().enumerate() {
@@ -53,13 +56,14 @@ fn places(drop: f64, behind: f64) -> [Vector; JOINTS.len()] {
     at
 }
 
-/// The person stands for two seconds, kneels down within two seconds, and kneels for two.
-fn kneeling() -> Person {
+/// The person stands for two seconds, lowers the hips within two seconds while the left foot moves
+/// behind, and stays so for two.
+fn kneeling(drop: f64, behind: f64, lengths: [f64; 2]) -> Person {
     let course: Vec<_> = (0..FRAMES)
         .flat_map(|frame| {
             let share = ((frame as f64 - 60.0) / 60.0).clamp(0.0, 1.0);
             let share = share * share * (3.0 - 2.0 * share);
-            places(0.08 * share, 0.25 * share)
+            places(drop * share, behind * share, lengths)
         })
         .collect();
     Person::from_positions("kneeling", &JOINTS, &course, STEP).unwrap()
@@ -85,7 +89,7 @@ fn knee(humanoid: &Humanoid, values: &[f64], targets: &Targets) -> Vec<f64> {
 #[test]
 fn a_foot_that_wanders_while_it_seems_to_stand_is_let_go() {
     let humanoid = Humanoid::from_urdf(&with_soles()).unwrap();
-    let (person, settings) = (kneeling(), Settings::default());
+    let (person, settings) = (kneeling(0.08, 0.25, [0.43; 2]), Settings::default());
     let targets = Targets::new(&person, &humanoid, &settings).unwrap();
     let motion = retarget(&person, &humanoid, &settings).unwrap();
     let knee = knee(&humanoid, &motion.values, &targets);
@@ -97,4 +101,18 @@ fn a_foot_that_wanders_while_it_seems_to_stand_is_let_go() {
     // Held in one place for all six seconds, the foot pulls the knee 54 mm off.
     assert!(most < 0.025, "{most}: {knee:.3?}");
     assert!(motion.report.slide < 5.0 && motion.report.sink < 3.0, "{}", motion.report);
+}
+
+#[test]
+fn a_body_of_other_proportions_kneels_where_its_feet_stand() {
+    let humanoid = Humanoid::from_urdf(&with_soles()).unwrap();
+    // The robot's thighs and shanks are equally long.
+    let (person, settings) = (kneeling(0.2, 0.0, [0.33, 0.53]), Settings::default());
+    let targets = Targets::new(&person, &humanoid, &settings).unwrap();
+    let motion = retarget(&person, &humanoid, &settings).unwrap();
+    let knee = knee(&humanoid, &motion.values, &targets);
+    let most = knee.iter().copied().fold(0.0, f64::max);
+    // With a pelvis as high as the person's, feet that stand pull the knee 22 mm off.
+    assert!(most < 0.006 && motion.report.residual < 2.5, "{most}: {}", motion.report);
+    assert!(motion.report.sink < 1.0, "{}", motion.report);
 }
