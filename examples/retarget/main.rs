@@ -4,19 +4,20 @@
 //! ```text
 //! cargo run --release --example retarget -- \
 //!   ROBOT.urdf CLIP.bvh [--map FILE] [--fps HZ] [--rest FRAME] [--ankle METRES] [--smooth HZ] \
-//!   [--speed RAD/S] [--csv OUT] [--svg OUT] [--targets OUT]
+//!   [--speed RAD/S] [--csv OUT] [--svg OUT] [--html OUT] [--targets OUT]
 //! ```
 //!
 //! The crate `dq8-retarget` does the work. The program prints the roles of links and joints, the
 //! measures of the motion, and how long searches take.
 
 mod goals;
+mod page;
 mod picture;
 mod track;
 
 use dq8_retarget::{Humanoid, Person, RetargetError, Role, Settings, Speeds, Targets, retarget};
 use mocap::command::{self, Request, files, print, read};
-use mocap::output;
+use mocap::{output, svg};
 use std::error::Error;
 use std::ffi::OsString;
 use std::fmt::Write as _;
@@ -26,7 +27,7 @@ use std::str::FromStr;
 
 const USAGE: &str = "\
 usage: retarget ROBOT.urdf CLIP.bvh [--map FILE] [--fps HZ] [--rest FRAME] [--ankle METRES] [--smooth HZ]
-                [--speed RAD/S] [--csv OUT] [--svg OUT] [--targets OUT]
+                [--speed RAD/S] [--csv OUT] [--svg OUT] [--html OUT] [--targets OUT]
 
   --map FILE      a table of TOML that gives roles to links and joints, where names and the shape do not:
                     [links]
@@ -43,7 +44,8 @@ usage: retarget ROBOT.urdf CLIP.bvh [--map FILE] [--fps HZ] [--rest FRAME] [--an
                   is smoothed
   --speed RAD/S   the greatest speed of all joints; with `file` that of each joint in the robot's file
   --csv OUT       write the joint values, one row per frame
-  --svg OUT       draw the clip and the robot at several moments
+  --svg OUT       draw the clip and the robot at several moments, with soles and contacts
+  --html OUT      write a page that plays the clip and the robot, with the measures
   --targets OUT   write the goals of the search and their targets as JSON, for other programs
 ";
 
@@ -55,6 +57,7 @@ struct Args {
     settings: Settings,
     csv: Option<PathBuf>,
     svg: Option<PathBuf>,
+    html: Option<PathBuf>,
     targets: Option<PathBuf>,
 }
 
@@ -68,27 +71,32 @@ fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Request<Args>, Str
         "--speed",
         "--csv",
         "--svg",
+        "--html",
         "--targets",
     ];
-    read(words, options, |[map, fps, rest, ankle, smooth, speed, csv, svg, targets], others| {
-        let [robot, clip] = <[PathBuf; 2]>::try_from(files(others)?)
-            .map_err(|files| format!("two files are needed, and {} given", files.len()))?;
-        let positive = |number: &f64| *number > 0.0 && number.is_finite();
-        let own = Settings::default();
-        let smooth = number("--smooth", smooth, |hz| *hz == 0.0 || positive(hz))?;
-        let settings = Settings {
-            fps: number("--fps", fps, positive)?.unwrap_or(own.fps),
-            rest: number("--rest", rest, |_| true)?,
-            ankle: number("--ankle", ankle, |height: &f64| height.is_finite())?,
-            smooth: smooth.map_or(own.smooth, |hz| Some(hz).filter(positive)),
-            speeds: match speed {
-                Some(word) if word.as_os_str() == "file" => Speeds::File,
-                speed => number("--speed", speed, positive)?.map_or(own.speeds, Speeds::AtMost),
-            },
-            ..own
-        };
-        Ok(Args { robot, clip, map, settings, csv, svg, targets })
-    })
+    read(
+        words,
+        options,
+        |[map, fps, rest, ankle, smooth, speed, csv, svg, html, targets], others| {
+            let [robot, clip] = <[PathBuf; 2]>::try_from(files(others)?)
+                .map_err(|files| format!("two files are needed, and {} given", files.len()))?;
+            let positive = |number: &f64| *number > 0.0 && number.is_finite();
+            let own = Settings::default();
+            let smooth = number("--smooth", smooth, |hz| *hz == 0.0 || positive(hz))?;
+            let settings = Settings {
+                fps: number("--fps", fps, positive)?.unwrap_or(own.fps),
+                rest: number("--rest", rest, |_| true)?,
+                ankle: number("--ankle", ankle, |height: &f64| height.is_finite())?,
+                smooth: smooth.map_or(own.smooth, |hz| Some(hz).filter(positive)),
+                speeds: match speed {
+                    Some(word) if word.as_os_str() == "file" => Speeds::File,
+                    speed => number("--speed", speed, positive)?.map_or(own.speeds, Speeds::AtMost),
+                },
+                ..own
+            };
+            Ok(Args { robot, clip, map, settings, csv, svg, html, targets })
+        },
+    )
 }
 
 /// The number that an option is followed by, if the option is there.
@@ -142,9 +150,15 @@ fn run(args: &Args) -> Result<(), Box<dyn Error>> {
     if let Some(path) = &args.targets {
         texts.push((path, goals::json(&person, &humanoid, &targets()?, &motion)?.into()));
     }
-    if let Some(path) = &args.svg {
-        let targets = targets()?;
-        texts.push((path, picture::draw(&person, &humanoid, &targets, &motion.values)?.into()));
+    if args.svg.is_some() || args.html.is_some() {
+        let figures = picture::figures(&person, &humanoid, &targets()?, &motion)?;
+        if let Some(path) = &args.svg {
+            texts.push((path, svg::rows(&figures)?.into()));
+        }
+        if let Some(path) = &args.html {
+            let title = format!("{} on {}", person.title(), humanoid.robot().name());
+            texts.push((path, page::html(&title, &figures, &motion.report).into()));
+        }
     }
     output::write(&texts, Some(&args.clip))
 }

@@ -101,6 +101,28 @@ impl Report {
         })
     }
 
+    /// Returns the measures with names for the columns of a table, which end with the unit.
+    /// `None` is a measure that is not known.
+    #[must_use]
+    pub fn measures(&self) -> [(&'static str, Option<f64>); 14] {
+        [
+            ("residual_mm", Some(self.residual)),
+            ("residual_high_mm", Some(self.residual_high)),
+            ("feet_mm", Some(self.feet)),
+            ("slide_mm_s", Some(self.slide)),
+            ("ground_mm", Some(self.ground)),
+            ("unevenness_mm", Some(self.unevenness)),
+            ("sink_mm", Some(self.sink)),
+            ("sunk_percent", Some(self.sunk)),
+            ("speed_rad_s", Some(self.speed)),
+            ("speed_most_rad_s", Some(self.speed_most)),
+            ("jerk_rad_s3", Some(self.jerk)),
+            ("at_limits_percent", Some(self.at_limits)),
+            ("beyond_rad", Some(self.beyond)),
+            ("self_hits_percent", self.self_hits),
+        ]
+    }
+
     /// Returns sentences about measures that a good motion does not have.
     #[must_use]
     pub fn warnings(&self) -> Vec<String> {
