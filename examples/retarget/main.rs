@@ -5,16 +5,20 @@
 //! cargo run --release --example retarget -- \
 //!   ROBOT.urdf CLIP.bvh [--map FILE] [--fps HZ] [--rest FRAME] [--ankle METRES] [--smooth HZ] \
 //!   [--speed RAD/S] [--csv OUT] [--svg OUT] [--html OUT] [--targets OUT]
+//! cargo run --release --example retarget -- \
+//!   ROBOT.urdf CLIPS... --out FOLDER [--jobs N] [--map FILE] ...
 //! ```
 //!
 //! The crate `dq8-retarget` does the work. The program prints the roles of links and joints, the
 //! measures of the motion, and how long searches take.
 
+mod clips;
 mod goals;
 mod page;
 mod picture;
 mod track;
 
+use clips::Clips;
 use dq8_retarget::{Humanoid, Person, RetargetError, Role, Settings, Speeds, Targets, retarget};
 use mocap::command::{self, Request, files, print, read};
 use mocap::{output, svg};
@@ -28,7 +32,12 @@ use std::str::FromStr;
 const USAGE: &str = "\
 usage: retarget ROBOT.urdf CLIP.bvh [--map FILE] [--fps HZ] [--rest FRAME] [--ankle METRES] [--smooth HZ]
                 [--speed RAD/S] [--csv OUT] [--svg OUT] [--html OUT] [--targets OUT]
+       retarget ROBOT.urdf CLIP.bvh|FOLDER... --out FOLDER [--jobs N] [--map FILE] [--fps HZ] [--rest FRAME]
+                [--ankle METRES] [--smooth HZ] [--speed RAD/S]
 
+  --out FOLDER    take several clips, or all BVH files of a folder, and write the joint values of each and a
+                  table of measures; a clip that fails does not end the others
+  --jobs N        the number of clips at once; by default one for each core
   --map FILE      a table of TOML that gives roles to links and joints, where names and the shape do not:
                     [links]
                     left_hip = { link = \"thigh\", centre = \"hip_roll\" }
@@ -52,7 +61,9 @@ usage: retarget ROBOT.urdf CLIP.bvh [--map FILE] [--fps HZ] [--rest FRAME] [--an
 #[derive(Debug, PartialEq)]
 struct Args {
     robot: PathBuf,
-    clip: PathBuf,
+    clips: Vec<PathBuf>,
+    /// The folder of the results of several clips, and the number of clips at once.
+    out: Option<(PathBuf, usize)>,
     map: Option<PathBuf>,
     settings: Settings,
     csv: Option<PathBuf>,
@@ -73,13 +84,33 @@ fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Request<Args>, Str
         "--svg",
         "--html",
         "--targets",
+        "--out",
+        "--jobs",
     ];
     read(
         words,
         options,
-        |[map, fps, rest, ankle, smooth, speed, csv, svg, html, targets], others| {
-            let [robot, clip] = <[PathBuf; 2]>::try_from(files(others)?)
-                .map_err(|files| format!("two files are needed, and {} given", files.len()))?;
+        |[map, fps, rest, ankle, smooth, speed, csv, svg, html, targets, out, jobs], others| {
+            let mut clips = files(others)?;
+            match (clips.len(), &out) {
+                (0 | 1, _) => return Err("a robot and a clip are needed".to_owned()),
+                (2, _) | (_, Some(_)) => {}
+                (given, None) => {
+                    return Err(format!("{} clips are given without --out FOLDER", given - 1));
+                }
+            }
+            let robot = clips.remove(0);
+            if out.is_some() && [&csv, &svg, &html, &targets].into_iter().any(Option::is_some) {
+                return Err(
+                    "--csv, --svg, --html and --targets are of one clip without --out".into()
+                );
+            }
+            if jobs.is_some() && out.is_none() {
+                return Err("--jobs is of clips with --out FOLDER".to_owned());
+            }
+            let cores = || std::thread::available_parallelism().map_or(1, usize::from);
+            let jobs = number("--jobs", jobs, |jobs| *jobs > 0)?.unwrap_or_else(cores);
+            let out = out.map(|folder| (folder, jobs));
             let positive = |number: &f64| *number > 0.0 && number.is_finite();
             let own = Settings::default();
             let smooth = number("--smooth", smooth, |hz| *hz == 0.0 || positive(hz))?;
@@ -94,7 +125,7 @@ fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Request<Args>, Str
                 },
                 ..own
             };
-            Ok(Args { robot, clip, map, settings, csv, svg, html, targets })
+            Ok(Args { robot, clips, out, map, settings, csv, svg, html, targets })
         },
     )
 }
@@ -127,14 +158,18 @@ fn run(args: &Args) -> Result<(), Box<dyn Error>> {
     });
     let table = table.transpose()?;
     let humanoid = Humanoid::from_bytes(&file(&args.robot)?, table.as_deref())?;
-    let mut person = Person::from_clip(&mocap::load(&args.clip)?)?;
+    if let Some((out, jobs)) = &args.out {
+        print(&humanoid.to_string())?;
+        let table = table.as_deref();
+        return Clips { humanoid: &humanoid, table, settings: &args.settings, out }
+            .run(&args.clips, *jobs);
+    }
+    let clip = &args.clips[0];
+    let mut person = Person::from_clip(&mocap::load(clip)?)?;
     if let Some(table) = &table {
         person = person.with_table(table)?;
     }
-    let motion = retarget(&person, &humanoid, &args.settings).map_err(|error| match error {
-        RetargetError::NoRest => format!("{error} (--rest FRAME)").into(),
-        error => Box::<dyn Error>::from(error),
-    })?;
+    let motion = retarget(&person, &humanoid, &args.settings).map_err(hint)?;
     print(&heading(&person, &humanoid, &motion.told))?;
     print(&motion.report.to_string())?;
     print(&track::table(&person, &humanoid, &args.settings)?)?;
@@ -160,7 +195,15 @@ fn run(args: &Args) -> Result<(), Box<dyn Error>> {
             texts.push((path, page::html(&title, &figures, &motion.report).into()));
         }
     }
-    output::write(&texts, Some(&args.clip))
+    output::write(&texts, Some(clip))
+}
+
+/// The error, with the option that helps.
+fn hint(error: RetargetError) -> Box<dyn Error> {
+    match error {
+        RetargetError::NoRest => format!("{error} (--rest FRAME)").into(),
+        error => error.into(),
+    }
 }
 
 /// The lines that say which links follow which joints.

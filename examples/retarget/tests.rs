@@ -1,11 +1,14 @@
 //! The embedded biped on the repository's humanoid.
 
+use crate::clips::Clips;
 use crate::{Args, csv, goals, heading, page, parse, picture, track};
 use dq8_fixtures::legible::illegible;
 use dq8_retarget::{Humanoid, Motion, Person, Settings, Targets, retarget};
 use mocap::biped;
 use mocap::command::Request;
 use mocap::svg::{self, Figure};
+use std::fs;
+use std::path::PathBuf;
 
 const HUMANOID: &str = include_str!("../../robot/robots/humanoid.urdf");
 
@@ -152,17 +155,70 @@ fn names_of_files_do_not_break_a_page() {
 }
 
 #[test]
-fn the_command_line_is_two_files_and_options() {
+fn a_bad_clip_does_not_end_the_others_and_is_named() {
+    let folder = std::env::temp_dir().join(format!("dq8-retarget-{}", std::process::id()));
+    let (clips, out) = (folder.join("clips"), folder.join("results"));
+    fs::create_dir_all(&clips).unwrap();
+    let walk = include_str!("../mocap/walk.bvh");
+    for (name, text) in
+        [("a.bvh", walk), ("b,\"b.BVH", "HIERARCHY\n"), ("c.bvh", walk), ("d.txt", "")]
+    {
+        fs::write(clips.join(name), text).unwrap();
+    }
+    let humanoid = Humanoid::from_urdf(HUMANOID).unwrap();
+    let settings = Settings::default();
+    let work = Clips { humanoid: &humanoid, table: None, settings: &settings, out: &out };
+    let mut before = None;
+    for jobs in [1, 2, 9] {
+        let error = work.run(std::slice::from_ref(&clips), jobs).unwrap_err().to_string();
+        assert_eq!(error, "1 of 3 clips failed");
+        let read = |name| fs::read_to_string(out.join(name)).unwrap();
+        let table = read("measures.csv");
+        let lines: Vec<_> = table.lines().collect();
+        assert!(lines[1].starts_with("\"a\",32,") && lines[1].ends_with(','), "{table}");
+        assert!(lines[2].starts_with("\"b,\"\"b\",,,") && lines[2].contains("line"), "{table}");
+        assert_eq!(lines[1].replacen('a', "c", 1), lines[3]);
+        assert_eq!(read("a.csv").lines().count(), 33);
+        assert!(!out.join("b,\"b.csv").exists());
+        let results = (table, read("a.csv"), read("c.csv"));
+        assert!(before.replace(results.clone()).is_none_or(|before| before == results));
+    }
+    fs::remove_file(clips.join("b,\"b.BVH")).unwrap();
+    work.run(&[clips.join("a.bvh"), clips.join("c.bvh")], 2).unwrap();
+    // Two clips of one name, a folder without clips, and the name of the table.
+    fs::write(clips.join("measures.bvh"), walk).unwrap();
+    for (paths, said) in [
+        (vec![clips.join("a.bvh"), clips.join("./a.bvh")], "one file"),
+        (vec![out.clone()], "no BVH file"),
+        (vec![clips.join("measures.bvh")], "table of measures"),
+    ] {
+        let error = work.run(&paths, 1).unwrap_err().to_string();
+        assert!(error.contains(said), "{error}");
+    }
+    fs::remove_dir_all(folder).unwrap();
+}
+
+#[test]
+fn the_command_line_is_a_robot_clips_and_options() {
     let words = |line: &str| parse(line.split_whitespace().map(Into::into));
     let line = "a.urdf --fps 60 b.bvh --svg c.svg --smooth 0";
     let Ok(Request::Run(Args { settings, svg, .. })) = words(line) else {
         panic!("not understood")
     };
     assert_eq!((settings.fps, settings.smooth, svg), (60.0, None, Some("c.svg".into())));
+    let Ok(Request::Run(args)) = words("a.urdf b.bvh folder --out c --jobs 3") else {
+        panic!("not understood")
+    };
+    assert_eq!(args.clips, ["b.bvh", "folder"].map(PathBuf::from));
+    assert_eq!(args.out, Some(("c".into(), 3)));
     for wrong in [
         "",
         "a",
         "a b c",
+        "a --out c",
+        "a b --jobs 2",
+        "a b --out c --jobs 0",
+        "a b --out c --svg d",
         "a b --fps 0",
         "a b --fps x",
         "a b --rest -1",

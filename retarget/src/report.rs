@@ -101,25 +101,43 @@ impl Report {
         })
     }
 
-    /// Returns the measures with names for the columns of a table, which end with the unit.
-    /// `None` is a measure that is not known.
+    /// The names of the [`measures`](Self::measures) for the columns of a table. They end with
+    /// units.
+    pub const MEASURES: [&'static str; 14] = [
+        "residual_mm",
+        "residual_high_mm",
+        "feet_mm",
+        "slide_mm_s",
+        "ground_mm",
+        "unevenness_mm",
+        "sink_mm",
+        "sunk_percent",
+        "speed_rad_s",
+        "speed_most_rad_s",
+        "jerk_rad_s3",
+        "at_limits_percent",
+        "beyond_rad",
+        "self_hits_percent",
+    ];
+
+    /// Returns the measures in the order of their names. `None` is a measure that is not known.
     #[must_use]
-    pub fn measures(&self) -> [(&'static str, Option<f64>); 14] {
+    pub fn measures(&self) -> [Option<f64>; 14] {
         [
-            ("residual_mm", Some(self.residual)),
-            ("residual_high_mm", Some(self.residual_high)),
-            ("feet_mm", Some(self.feet)),
-            ("slide_mm_s", Some(self.slide)),
-            ("ground_mm", Some(self.ground)),
-            ("unevenness_mm", Some(self.unevenness)),
-            ("sink_mm", Some(self.sink)),
-            ("sunk_percent", Some(self.sunk)),
-            ("speed_rad_s", Some(self.speed)),
-            ("speed_most_rad_s", Some(self.speed_most)),
-            ("jerk_rad_s3", Some(self.jerk)),
-            ("at_limits_percent", Some(self.at_limits)),
-            ("beyond_rad", Some(self.beyond)),
-            ("self_hits_percent", self.self_hits),
+            Some(self.residual),
+            Some(self.residual_high),
+            Some(self.feet),
+            Some(self.slide),
+            Some(self.ground),
+            Some(self.unevenness),
+            Some(self.sink),
+            Some(self.sunk),
+            Some(self.speed),
+            Some(self.speed_most),
+            Some(self.jerk),
+            Some(self.at_limits),
+            Some(self.beyond),
+            self.self_hits,
         ]
     }
 
