@@ -15,8 +15,9 @@ use crate::positions::size;
 use dq8_bvh::Clip;
 use plan::Plan;
 use scene::Scene;
-use side::Side;
 use strip::Strip;
+
+pub use side::{Side, sides};
 
 const WIDTH: f64 = 1400.0;
 const MARGIN: f64 = 40.0;
@@ -53,6 +54,8 @@ path{fill:none;stroke-linecap:round;stroke-linejoin:round}\
 .left.track,.right.track{stroke-opacity:.45}\
 .root.track{stroke:#009e73;stroke-width:2}circle.root{fill:#009e73}\
 .head{fill:#fff;stroke:#444;stroke-width:3.5}\
+.sole{stroke-width:2.5}.stands{stroke-width:8}.left.stands{fill:#0072b2}.right.stands{fill:#d55e00}\
+.contact{stroke-width:6;stroke-linecap:butt}\
 .ground{stroke:#999;stroke-width:2}.scale{stroke:#555;stroke-width:1.5;stroke-linecap:butt}";
 
 /// `positions` are in the world, `[frame][joint]`; `size` is the skeleton's.
@@ -80,16 +83,62 @@ pub(crate) fn picture(
     Ok(page(plan.area.bottom() + 50.0, &body))
 }
 
-/// The figures of some clips, a row below the other, each with a caption and positions in the
-/// world, `[frame][joint]`.
-pub fn rows(clips: &[(&str, &Clip, &[[f64; 3]])]) -> Result<String, fmt::Error> {
-    let (mut body, mut top) = (String::new(), 60.0);
-    for (caption, clip, positions) in clips {
-        let scene = Scene::new(clip, positions, size(clip, positions));
-        let frames = 0..positions.len() / clip.joints.len();
-        top = row(&mut body, &Strip::new(&scene, frames, below(top + 20.0, 360.0)), caption)?;
+/// A figure that moves on the ground at height zero.
+#[derive(Debug)]
+pub struct Figure {
+    pub caption: String,
+    /// Names and parents of joints, and the time of a frame.
+    pub clip: Clip,
+    /// Positions in the world, `[frame][joint]`.
+    pub positions: Vec<[f64; 3]>,
+    /// The left and the right sole.
+    pub soles: [Sole; 2],
+}
+
+/// A sole, and when it stands.
+#[derive(Debug)]
+pub struct Sole {
+    /// Corners in the world, in order around the sole, `[frame][corner]`.
+    pub corners: Vec<[f64; 3]>,
+    /// `true` where the sole stands, for each frame.
+    pub stands: Vec<bool>,
+}
+
+impl Sole {
+    /// The corners in a frame.
+    pub fn corners_in(&self, frame: usize) -> &[[f64; 3]] {
+        let count = self.corners.len() / self.stands.len().max(1);
+        &self.corners[frame * count..][..count]
     }
-    Ok(page(top, &body))
+
+    /// The runs of frames in which the sole stands.
+    pub fn runs(&self) -> impl Iterator<Item = Range<usize>> {
+        let runs = self.stands.chunk_by(|a, b| a == b).scan(0, |start, run| {
+            *start += run.len();
+            Some((run[0], *start - run.len()..*start))
+        });
+        runs.filter_map(|(stands, run)| stands.then_some(run))
+    }
+}
+
+/// The figures, a row below the other. Bars below the ground are where soles stand.
+pub fn rows(figures: &[Figure]) -> Result<String, fmt::Error> {
+    let (mut body, mut top) = (String::new(), 60.0);
+    for Figure { caption, clip, positions, soles } in figures {
+        let scene = Scene { ground: 0.0, ..Scene::new(clip, positions, size(clip, positions)) };
+        let frames = 0..positions.len() / clip.joints.len();
+        let strip = Strip::new(&scene, frames, below(top + 20.0, 360.0));
+        top = row(&mut body, &strip, caption)? + 20.0;
+        for (sole, class) in soles.iter().zip(["left", "right"]) {
+            strip.draw_sole(&mut body, sole, class)?;
+        }
+    }
+    let y = top - 5.0;
+    writeln!(
+        body,
+        r#"<text class="note" x="{MARGIN}" y="{y}">Thick soles stand, and bars show when: the left one blue, the right one orange.</text>"#
+    )?;
+    Ok(page(top + 20.0, &body))
 }
 
 fn page(height: f64, body: &str) -> String {

@@ -4,19 +4,24 @@
 //! ```text
 //! cargo run --release --example retarget -- \
 //!   ROBOT.urdf CLIP.bvh [--map FILE] [--fps HZ] [--rest FRAME] [--ankle METRES] [--smooth HZ] \
-//!   [--speed RAD/S] [--csv OUT] [--svg OUT] [--targets OUT]
+//!   [--speed RAD/S] [--csv OUT] [--svg OUT] [--html OUT] [--targets OUT]
+//! cargo run --release --example retarget -- \
+//!   ROBOT.urdf CLIPS... --out FOLDER [--jobs N] [--map FILE] ...
 //! ```
 //!
 //! The crate `dq8-retarget` does the work. The program prints the roles of links and joints, the
 //! measures of the motion, and how long searches take.
 
+mod clips;
 mod goals;
+mod page;
 mod picture;
 mod track;
 
+use clips::Clips;
 use dq8_retarget::{Humanoid, Person, RetargetError, Role, Settings, Speeds, Targets, retarget};
 use mocap::command::{self, Request, files, print, read};
-use mocap::output;
+use mocap::{output, svg};
 use std::error::Error;
 use std::ffi::OsString;
 use std::fmt::Write as _;
@@ -26,8 +31,13 @@ use std::str::FromStr;
 
 const USAGE: &str = "\
 usage: retarget ROBOT.urdf CLIP.bvh [--map FILE] [--fps HZ] [--rest FRAME] [--ankle METRES] [--smooth HZ]
-                [--speed RAD/S] [--csv OUT] [--svg OUT] [--targets OUT]
+                [--speed RAD/S] [--csv OUT] [--svg OUT] [--html OUT] [--targets OUT]
+       retarget ROBOT.urdf CLIP.bvh|FOLDER... --out FOLDER [--jobs N] [--map FILE] [--fps HZ] [--rest FRAME]
+                [--ankle METRES] [--smooth HZ] [--speed RAD/S]
 
+  --out FOLDER    take several clips, or all BVH files of a folder, and write the joint values of each and a
+                  table of measures; a clip that fails does not end the others
+  --jobs N        the number of clips at once; by default one for each core
   --map FILE      a table of TOML that gives roles to links and joints, where names and the shape do not:
                     [links]
                     left_hip = { link = \"thigh\", centre = \"hip_roll\" }
@@ -43,18 +53,22 @@ usage: retarget ROBOT.urdf CLIP.bvh [--map FILE] [--fps HZ] [--rest FRAME] [--an
                   is smoothed
   --speed RAD/S   the greatest speed of all joints; with `file` that of each joint in the robot's file
   --csv OUT       write the joint values, one row per frame
-  --svg OUT       draw the clip and the robot at several moments
+  --svg OUT       draw the clip and the robot at several moments, with soles and contacts
+  --html OUT      write a page that plays the clip and the robot, with the measures
   --targets OUT   write the goals of the search and their targets as JSON, for other programs
 ";
 
 #[derive(Debug, PartialEq)]
 struct Args {
     robot: PathBuf,
-    clip: PathBuf,
+    clips: Vec<PathBuf>,
+    /// The folder of the results of several clips, and the number of clips at once.
+    out: Option<(PathBuf, usize)>,
     map: Option<PathBuf>,
     settings: Settings,
     csv: Option<PathBuf>,
     svg: Option<PathBuf>,
+    html: Option<PathBuf>,
     targets: Option<PathBuf>,
 }
 
@@ -68,27 +82,52 @@ fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Request<Args>, Str
         "--speed",
         "--csv",
         "--svg",
+        "--html",
         "--targets",
+        "--out",
+        "--jobs",
     ];
-    read(words, options, |[map, fps, rest, ankle, smooth, speed, csv, svg, targets], others| {
-        let [robot, clip] = <[PathBuf; 2]>::try_from(files(others)?)
-            .map_err(|files| format!("two files are needed, and {} given", files.len()))?;
-        let positive = |number: &f64| *number > 0.0 && number.is_finite();
-        let own = Settings::default();
-        let smooth = number("--smooth", smooth, |hz| *hz == 0.0 || positive(hz))?;
-        let settings = Settings {
-            fps: number("--fps", fps, positive)?.unwrap_or(own.fps),
-            rest: number("--rest", rest, |_| true)?,
-            ankle: number("--ankle", ankle, |height: &f64| height.is_finite())?,
-            smooth: smooth.map_or(own.smooth, |hz| Some(hz).filter(positive)),
-            speeds: match speed {
-                Some(word) if word.as_os_str() == "file" => Speeds::File,
-                speed => number("--speed", speed, positive)?.map_or(own.speeds, Speeds::AtMost),
-            },
-            ..own
-        };
-        Ok(Args { robot, clip, map, settings, csv, svg, targets })
-    })
+    read(
+        words,
+        options,
+        |[map, fps, rest, ankle, smooth, speed, csv, svg, html, targets, out, jobs], others| {
+            let mut clips = files(others)?;
+            match (clips.len(), &out) {
+                (0 | 1, _) => return Err("a robot and a clip are needed".to_owned()),
+                (2, _) | (_, Some(_)) => {}
+                (given, None) => {
+                    return Err(format!("{} clips are given without --out FOLDER", given - 1));
+                }
+            }
+            let robot = clips.remove(0);
+            if out.is_some() && [&csv, &svg, &html, &targets].into_iter().any(Option::is_some) {
+                return Err(
+                    "--csv, --svg, --html and --targets are of one clip without --out".into()
+                );
+            }
+            if jobs.is_some() && out.is_none() {
+                return Err("--jobs is of clips with --out FOLDER".to_owned());
+            }
+            let cores = || std::thread::available_parallelism().map_or(1, usize::from);
+            let jobs = number("--jobs", jobs, |jobs| *jobs > 0)?.unwrap_or_else(cores);
+            let out = out.map(|folder| (folder, jobs));
+            let positive = |number: &f64| *number > 0.0 && number.is_finite();
+            let own = Settings::default();
+            let smooth = number("--smooth", smooth, |hz| *hz == 0.0 || positive(hz))?;
+            let settings = Settings {
+                fps: number("--fps", fps, positive)?.unwrap_or(own.fps),
+                rest: number("--rest", rest, |_| true)?,
+                ankle: number("--ankle", ankle, |height: &f64| height.is_finite())?,
+                smooth: smooth.map_or(own.smooth, |hz| Some(hz).filter(positive)),
+                speeds: match speed {
+                    Some(word) if word.as_os_str() == "file" => Speeds::File,
+                    speed => number("--speed", speed, positive)?.map_or(own.speeds, Speeds::AtMost),
+                },
+                ..own
+            };
+            Ok(Args { robot, clips, out, map, settings, csv, svg, html, targets })
+        },
+    )
 }
 
 /// The number that an option is followed by, if the option is there.
@@ -119,14 +158,18 @@ fn run(args: &Args) -> Result<(), Box<dyn Error>> {
     });
     let table = table.transpose()?;
     let humanoid = Humanoid::from_bytes(&file(&args.robot)?, table.as_deref())?;
-    let mut person = Person::from_clip(&mocap::load(&args.clip)?)?;
+    if let Some((out, jobs)) = &args.out {
+        print(&humanoid.to_string())?;
+        let table = table.as_deref();
+        return Clips { humanoid: &humanoid, table, settings: &args.settings, out }
+            .run(&args.clips, *jobs);
+    }
+    let clip = &args.clips[0];
+    let mut person = Person::from_clip(&mocap::load(clip)?)?;
     if let Some(table) = &table {
         person = person.with_table(table)?;
     }
-    let motion = retarget(&person, &humanoid, &args.settings).map_err(|error| match error {
-        RetargetError::NoRest => format!("{error} (--rest FRAME)").into(),
-        error => Box::<dyn Error>::from(error),
-    })?;
+    let motion = retarget(&person, &humanoid, &args.settings).map_err(hint)?;
     print(&heading(&person, &humanoid, &motion.told))?;
     print(&motion.report.to_string())?;
     print(&track::table(&person, &humanoid, &args.settings)?)?;
@@ -142,11 +185,25 @@ fn run(args: &Args) -> Result<(), Box<dyn Error>> {
     if let Some(path) = &args.targets {
         texts.push((path, goals::json(&person, &humanoid, &targets()?, &motion)?.into()));
     }
-    if let Some(path) = &args.svg {
-        let targets = targets()?;
-        texts.push((path, picture::draw(&person, &humanoid, &targets, &motion.values)?.into()));
+    if args.svg.is_some() || args.html.is_some() {
+        let figures = picture::figures(&person, &humanoid, &targets()?, &motion)?;
+        if let Some(path) = &args.svg {
+            texts.push((path, svg::rows(&figures)?.into()));
+        }
+        if let Some(path) = &args.html {
+            let title = format!("{} on {}", person.title(), humanoid.robot().name());
+            texts.push((path, page::html(&title, &figures, &motion.report).into()));
+        }
     }
-    output::write(&texts, Some(&args.clip))
+    output::write(&texts, Some(clip))
+}
+
+/// The error, with the option that helps.
+fn hint(error: RetargetError) -> Box<dyn Error> {
+    match error {
+        RetargetError::NoRest => format!("{error} (--rest FRAME)").into(),
+        error => error.into(),
+    }
 }
 
 /// The lines that say which links follow which joints.

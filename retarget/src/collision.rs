@@ -1,7 +1,7 @@
 //! The boxes, spheres and cylinders that a robot's file gives for collisions. `dq8-robot` does not
 //! read them, because they do not say where links are.
 
-use dq8::scalar::vector::{add, scale};
+use dq8::scalar::vector::{add, scale, sub};
 use dq8::{DualQuat, Quat};
 use dq8_robot::urdf::Robot;
 use roxmltree::{Document, Node};
@@ -206,11 +206,45 @@ impl Sole {
         bottoms.fold(f64::INFINITY, f64::min)
     }
 
+    /// Returns the corners of the sole, in order around it; `up` points up from a flat sole.
+    pub(crate) fn outline(&self, up: Vector) -> Vec<Vector> {
+        let flat = Quat::from_rotation_arc(up, [0.0, 0.0, 1.0]);
+        let bottoms = self.points.iter().map(|&(at, radius)| sub(at, scale(up, radius)));
+        let mut all: Vec<_> = bottoms.map(|bottom| (flat.rotate(bottom), bottom)).collect();
+        all.sort_by(|([a, b, _], _), ([c, d, _], _)| a.total_cmp(c).then(b.total_cmp(d)));
+        let mut corners = half_of_the_hull(all.iter());
+        corners.extend(half_of_the_hull(all.iter().rev()));
+        // A sole of one point has no halves.
+        if corners.is_empty() {
+            corners.extend(self.points.first().map(|&(at, radius)| sub(at, scale(up, radius))));
+        }
+        corners
+    }
+
     /// Returns the place of the middle of the sole if the foot has this pose.
     pub(crate) fn middle(&self, foot: DualQuat<f64>) -> Vector {
         let sum = self.points.iter().fold([0.0; 3], |sum, &(point, _)| add(sum, point));
         foot.transform_point(scale(sum, 1.0 / self.points.len() as f64))
     }
+}
+
+/// Returns half of the hull of points as they are on the ground, each with what it comes from: from
+/// the first point, with all others to the left, to the last one, which begins the other half.
+fn half_of_the_hull<'p>(points: impl Iterator<Item = &'p (Vector, Vector)>) -> Vec<Vector> {
+    let mut hull: Vec<(Vector, Vector)> = Vec::new();
+    for &point in points {
+        while let [.., (a, _), (b, _)] = hull[..] {
+            let c = point.0;
+            // Square metres; edges of soles are longer than a millimetre.
+            if (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) > 1e-9 {
+                break;
+            }
+            hull.pop();
+        }
+        hull.push(point);
+    }
+    hull.pop();
+    hull.into_iter().map(|(_, corner)| corner).collect()
 }
 
 fn height(pose: DualQuat<f64>, point: Vector) -> f64 {
@@ -239,5 +273,18 @@ mod tests {
         // The corner of a box, and a ball that ends as low.
         let sole = Sole { points: vec![([0.0, 0.0, -0.05], 0.0), ([0.0, 0.0, -0.03], 0.02)] };
         assert_eq!(sole.lowest(DualQuat::IDENTITY), -0.05);
+    }
+
+    #[test]
+    fn the_outline_of_a_sole_goes_around_it_and_leaves_out_what_is_inside() {
+        let square = [[1.0, 1.0], [-1.0, -1.0], [0.0, 0.3], [1.0, -1.0], [0.0, -1.0], [-1.0, 1.0]];
+        let points = square.map(|[x, y]| ([0.1 * x, 0.1 * y, -0.02], 0.01)).to_vec();
+        let outline = Sole { points }.outline([0.0, 0.0, 1.0]);
+        let around = [[-0.1, -0.1], [0.1, -0.1], [0.1, 0.1], [-0.1, 0.1]];
+        assert_eq!(outline, around.map(|[x, y]| [x, y, -0.03]));
+        let line = [0.0, 0.1, 0.2].map(|x| ([x, 0.0, 0.0], 0.0)).to_vec();
+        assert_eq!(Sole { points: line }.outline([0.0, 0.0, 1.0]), [[0.0; 3], [0.2, 0.0, 0.0]]);
+        let point = Sole { points: vec![([0.0, 0.0, 0.5], 0.5)] };
+        assert_eq!(point.outline([0.0, 0.0, 1.0]), [[0.0; 3]]);
     }
 }

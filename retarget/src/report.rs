@@ -100,6 +100,46 @@ impl Report {
         })
     }
 
+    /// The names of the [`measures`](Self::measures) for the columns of a table. They end with
+    /// units.
+    pub const MEASURES: [&'static str; 14] = [
+        "residual_mm",
+        "residual_high_mm",
+        "feet_mm",
+        "slide_mm_s",
+        "ground_mm",
+        "unevenness_mm",
+        "sink_mm",
+        "sunk_percent",
+        "speed_rad_s",
+        "speed_most_rad_s",
+        "jerk_rad_s3",
+        "at_limits_percent",
+        "beyond_rad",
+        "self_hits_percent",
+    ];
+
+    /// Returns the measures in the order of their names. `None` is a measure that is not known.
+    #[must_use]
+    pub fn measures(&self) -> [Option<f64>; 14] {
+        [
+            Some(self.residual),
+            Some(self.residual_high),
+            Some(self.feet),
+            Some(self.slide),
+            Some(self.ground),
+            Some(self.unevenness),
+            Some(self.sink),
+            Some(self.sunk),
+            Some(self.speed),
+            Some(self.speed_most),
+            Some(self.jerk),
+            Some(self.at_limits),
+            Some(self.beyond),
+            self.self_hits,
+        ]
+    }
+
     /// Returns sentences about measures that a good motion does not have.
     #[must_use]
     pub fn warnings(&self) -> Vec<String> {

@@ -131,6 +131,15 @@ impl Targets {
         self.poses.len() / self.goals.len()
     }
 
+    /// Returns the corners of the sole of a foot in the frame of the link of that role, in order
+    /// around the sole. Returns `None` if the role is not that of a foot, or only one of person and
+    /// robot has it.
+    #[must_use]
+    pub fn sole(&self, role: Role) -> Option<Vec<Vector>> {
+        let foot = self.feet.iter().find(|foot| self.places[foot.goal].role == role)?;
+        Some(foot.sole.outline(foot.normal))
+    }
+
     /// Finds the feet and when they stand, moves the ground to height zero, and holds the feet.
     fn stand(
         &mut self,

@@ -3,7 +3,7 @@
 use dq8_bvh::Clip;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Side {
+pub enum Side {
     Left,
     Right,
     Middle,
@@ -11,7 +11,7 @@ pub(crate) enum Side {
 
 /// One for each joint. A joint whose name names no side is on that of its parent: the toes of a
 /// left foot.
-pub(crate) fn sides(clip: &Clip) -> Vec<Side> {
+pub fn sides(clip: &Clip) -> Vec<Side> {
     let mut sides: Vec<Side> = Vec::with_capacity(clip.joints.len());
     for joint in &clip.joints {
         let parents = joint.parent.map_or(Side::Middle, |parent| sides[parent]);

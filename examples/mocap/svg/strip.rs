@@ -8,7 +8,7 @@ use std::ops::Range;
 use super::scene::Scene;
 use super::side::Side;
 use super::view::View;
-use super::{FIGURES, Frame};
+use super::{FIGURES, Frame, Sole};
 
 pub(crate) struct Strip<'a> {
     scene: &'a Scene<'a>,
@@ -57,7 +57,11 @@ impl<'a> Strip<'a> {
     }
 
     fn point(&self, frame: usize, joint: usize) -> [f64; 2] {
-        let (position, root) = (self.scene.frame(frame)[joint], self.scene.root(frame));
+        self.place(frame, self.scene.frame(frame)[joint])
+    }
+
+    fn place(&self, frame: usize, position: [f64; 3]) -> [f64; 2] {
+        let root = self.scene.root(frame);
         let along = self.view.right(position) - self.view.right(root) + self.balance;
         [self.x(frame) + self.scale * along, self.y(position[1])]
     }
@@ -117,6 +121,28 @@ impl<'a> Strip<'a> {
             writeln!(out, r#""/>"#)?;
         }
         self.draw_heads(out, moment)
+    }
+
+    /// The sole at each moment, and below the times of the moments bars where it stands.
+    pub(crate) fn draw_sole(&self, out: &mut String, sole: &Sole, class: &str) -> fmt::Result {
+        for &moment in &self.moments {
+            let stands = if sole.stands[moment] { " stands" } else { "" };
+            write!(out, r#"<path class="{class} sole{stands}" d=""#)?;
+            for (index, &corner) in sole.corners_in(moment).iter().enumerate() {
+                let [x, y] = self.place(moment, corner);
+                write!(out, "{}{x:.1} {y:.1}", if index == 0 { 'M' } else { 'L' })?;
+            }
+            writeln!(out, r#"Z"/>"#)?;
+        }
+        let y = self.area.bottom() + if class == "left" { 36.0 } else { 46.0 };
+        write!(out, r#"<path class="{class} contact" d=""#)?;
+        for run in sole.runs() {
+            // Half a frame before the first to half a frame after the last.
+            let half = self.area.width / (2.0 * self.frames.len() as f64);
+            let (from, to) = (self.x(run.start) - half, self.x(run.end - 1) + half);
+            write!(out, "M{from:.1} {y:.1}H{to:.1}")?;
+        }
+        writeln!(out, r#""/>"#)
     }
 
     /// The limbs that the spectator sees first cover the others.

@@ -1,0 +1,159 @@
+//! Many clips on one robot, on threads: a file of joint values for each, and a table of measures.
+
+use crate::{csv, hint};
+use dq8_retarget::{Humanoid, Person, Report, Settings, retarget};
+use mocap::command::print;
+use mocap::output::Outputs;
+use std::collections::BTreeMap;
+use std::error::Error;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+use std::time::Instant;
+
+/// The name of the table of measures.
+const TABLE: &str = "measures";
+
+/// What all clips share.
+pub(crate) struct Clips<'a> {
+    pub(crate) humanoid: &'a Humanoid,
+    /// A table of names.
+    pub(crate) table: Option<&'a str>,
+    pub(crate) settings: &'a Settings,
+    /// The folder of the results.
+    pub(crate) out: &'a Path,
+}
+
+/// The measures of a clip, and its number of frames.
+type Row = (usize, Report);
+
+impl Clips<'_> {
+    /// Works on all clips with so many threads. A clip that fails does not end the others; the
+    /// error at the end says how many have failed.
+    pub(crate) fn run(&self, paths: &[PathBuf], jobs: usize) -> Result<(), Box<dyn Error>> {
+        let clips = files(paths)?;
+        fs::create_dir_all(self.out)
+            .map_err(|error| format!("cannot make {}: {error}", self.out.display()))?;
+        let clock = Instant::now();
+        let rows = self.rows(&clips, jobs);
+        let seconds = clock.elapsed().as_secs_f64();
+        let path = self.out.join(format!("{TABLE}.csv"));
+        write(&path, &table(&rows))?;
+        let frames: usize = rows.values().flatten().map(|row| row.0).sum();
+        print(&format!(
+            "{frames} frames in {seconds:.2} s, {:.0} frames/s\nwrote {}\n",
+            frames as f64 / seconds,
+            path.display()
+        ))?;
+        match rows.values().filter(|row| row.is_err()).count() {
+            0 => Ok(()),
+            failed => Err(format!("{failed} of {} clips failed", rows.len()).into()),
+        }
+    }
+
+    fn rows(&self, clips: &BTreeMap<String, PathBuf>, jobs: usize) -> Rows {
+        let mut queue: Vec<_> = clips.iter().collect();
+        // The longest first, so that no thread is left alone with a long one at the end.
+        queue.sort_by_key(|(_, path)| {
+            std::cmp::Reverse(fs::metadata(path).map_or(0, |file| file.len()))
+        });
+        let (next, rows) = (AtomicUsize::new(0), Mutex::new(Rows::new()));
+        let work = || {
+            while let Some((name, path)) = queue.get(next.fetch_add(1, Ordering::Relaxed)) {
+                let row = self.row(name, path).map_err(|error| error.to_string());
+                match &row {
+                    Ok((frames, report)) => {
+                        let residual = report.residual;
+                        // Nobody may be there to be told.
+                        let _ = print(&format!("{name}: {frames} frames, {residual:.1} mm\n"));
+                        for warning in report.warnings() {
+                            eprintln!("retarget: {name}: warning: {warning}");
+                        }
+                    }
+                    Err(error) => eprintln!("retarget: {name}: {error}"),
+                }
+                let mut rows = rows.lock().unwrap_or_else(PoisonError::into_inner);
+                rows.insert((*name).clone(), row);
+            }
+        };
+        std::thread::scope(|scope| {
+            for _ in 1..jobs.min(queue.len()) {
+                scope.spawn(work);
+            }
+            work();
+        });
+        rows.into_inner().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn row(&self, name: &str, path: &Path) -> Result<Row, Box<dyn Error>> {
+        let mut person = Person::from_clip(&mocap::load(path)?)?;
+        if let Some(table) = self.table {
+            person = person.with_table(table)?;
+        }
+        let motion = retarget(&person, self.humanoid, self.settings).map_err(hint)?;
+        let text = csv(self.humanoid, &motion.values, motion.step)?;
+        write(&self.out.join(format!("{name}.csv")), &text)?;
+        Ok((motion.contacts.len(), motion.report))
+    }
+}
+
+/// The rows by the names of clips; an error is a sentence.
+type Rows = BTreeMap<String, Result<Row, String>>;
+
+/// The files, and the BVH files of each folder, by their names without the end.
+fn files(paths: &[PathBuf]) -> Result<BTreeMap<String, PathBuf>, Box<dyn Error>> {
+    let mut clips = BTreeMap::new();
+    for path in paths {
+        let mut found = vec![path.clone()];
+        if path.is_dir() {
+            let cannot = |error| format!("cannot read {}: {error}", path.display());
+            let entries = fs::read_dir(path).map_err(cannot)?;
+            let all: Result<Vec<_>, _> = entries.map(|entry| entry.map(|it| it.path())).collect();
+            let is_clip = |path: &PathBuf| {
+                path.extension().is_some_and(|end| end.eq_ignore_ascii_case("bvh"))
+            };
+            found = all.map_err(cannot)?.into_iter().filter(is_clip).collect();
+            if found.is_empty() {
+                return Err(format!("{} has no BVH file", path.display()).into());
+            }
+        }
+        for path in found {
+            let stem = path.file_stem().unwrap_or(path.as_os_str());
+            let name = stem.to_string_lossy().into_owned();
+            let shown = path.display().to_string();
+            if name == TABLE {
+                return Err(format!("{shown} has the name of the table of measures").into());
+            }
+            if let Some(other) = clips.insert(name, path) {
+                let other = other.display();
+                return Err(format!("{other} and {shown} would be written to one file").into());
+            }
+        }
+    }
+    Ok(clips)
+}
+
+/// A row for each clip; the last column says why a clip has no measures.
+fn table(rows: &Rows) -> String {
+    let quoted = |text: &str| format!("\"{}\"", text.replace('"', "\"\""));
+    let names = Report::MEASURES;
+    let mut text = format!("clip,frames,{},error\n", names.join(","));
+    for (name, row) in rows {
+        let (frames, measures, error) = match row {
+            Ok((frames, report)) => {
+                let number =
+                    |measure: Option<f64>| measure.map_or(String::new(), |x| format!("{x:.4}"));
+                let measures = report.measures().map(number);
+                (frames.to_string(), measures, String::new())
+            }
+            Err(error) => (String::new(), names.map(|_| String::new()), quoted(error)),
+        };
+        text += &format!("{},{frames},{},{error}\n", quoted(name), measures.join(","));
+    }
+    text
+}
+
+fn write(path: &Path, text: &str) -> Result<(), String> {
+    Outputs::open([path], None)?.write(&[text])
+}
