@@ -27,7 +27,8 @@ if [ "$(missing)" ]; then
   [ "$(id -u)" != 0 ] || ! command -v apt-get >/dev/null || ../scripts/install_missing.sh "${needs[@]}" || true
   still=$(missing)
   if [ "$still" ]; then
-    echo "These files are missing, each of a package of Debian: $(sed 's/=/ of /' <<<"$still" | paste -sd, | sed 's/,/, /g')" >&2
+    echo "These files are missing, each of a package of Debian:" >&2
+    sed 's/^/  /; s/=/ of /' <<<"$still" >&2
     exit 1
   fi
 fi
