@@ -187,9 +187,15 @@ macro_rules! wide_lanes {
                 }
                 #[inline(always)]
                 fn sum_quads(vectors: [Self; 4]) -> Self {
-                    #[cfg(all(target_arch = "aarch64", target_feature = "neon", target_endian = "little"))]
+                    #[cfg(any(
+                        all(target_arch = "aarch64", target_feature = "neon", target_endian = "little"),
+                        all(target_arch = "wasm32", target_feature = "simd128")
+                    ))]
                     return singles::sum_quads(vectors);
-                    #[cfg(not(all(target_arch = "aarch64", target_feature = "neon", target_endian = "little")))]
+                    #[cfg(not(any(
+                        all(target_arch = "aarch64", target_feature = "neon", target_endian = "little"),
+                        all(target_arch = "wasm32", target_feature = "simd128")
+                    )))]
                     {
                         let [a, b, c, d] = Self::$transpose(vectors);
                         (a + c) + (b + d)

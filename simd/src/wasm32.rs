@@ -5,6 +5,21 @@ use core::arch::wasm32::*;
 use core::mem::transmute;
 use wide::f32x4;
 
+/// Implements [`Lanes::sum_quads`](crate::Lanes::sum_quads). The halves of two vectors are added
+/// before their lanes are, which takes six shuffles; a transpose takes eight.
+#[inline(always)]
+pub(crate) fn sum_quads(vectors: [f32x4; 4]) -> f32x4 {
+    // SAFETY: an `f32x4` is one register.
+    let [a, b, c, d] = unsafe { transmute::<[f32x4; 4], [v128; 4]>(vectors) };
+    // a₀+a₂ a₁+a₃ b₀+b₂ b₁+b₃
+    let halves =
+        |a, b| f32x4_add(i32x4_shuffle::<0, 1, 4, 5>(a, b), i32x4_shuffle::<2, 3, 6, 7>(a, b));
+    let (ab, cd) = (halves(a, b), halves(c, d));
+    let (even, odd) = (i32x4_shuffle::<0, 2, 4, 6>(ab, cd), i32x4_shuffle::<1, 3, 5, 7>(ab, cd));
+    // SAFETY: an `f32x4` is one register.
+    unsafe { transmute::<v128, f32x4>(f32x4_add(even, odd)) }
+}
+
 /// Implements [`Lanes::store_triples`](crate::Lanes::store_triples).
 ///
 /// # Safety

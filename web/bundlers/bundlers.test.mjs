@@ -8,13 +8,13 @@ import { open } from "../tests/browser.mjs";
 import { serve } from "../tests/server.mjs";
 import { TOOLS, project, run } from "./packed.mjs";
 
-const RIGHT = "3 6 9 | frame leaf | 1 2 3";
+const RIGHT = "3 6 9 | frame leaf | 1 2 3 | 1.5";
 const QUICK = Boolean(process.env.QUICK),
   skip = QUICK && "without --quick";
 const tool = (name) => import(pathToFileURL(join(TOOLS, name)));
 /** The files that esbuild and Rollup leave, as the README has it. */
 const copy = (to) => {
-  for (const name of ["dq8", "robots"])
+  for (const name of ["dq8", "robots", "pack"])
     cpSync(join(folder, `node_modules/dq8/${name}.simd128.wasm`), join(to, `${name}.simd128.wasm`));
 };
 const HTML = (script) =>
@@ -49,8 +49,8 @@ async function answers(...given) {
   assert.deepEqual(messages, []);
 }
 
-test("the tarball has both modules, their types, and the texts of both licences", () => {
-  for (const name of ["dq8", "robots"])
+test("the tarball has all modules, their types, and the texts of both licences", () => {
+  for (const name of ["dq8", "robots", "pack"])
     for (const end of ["js", "node.js", "d.ts", "simd128.wasm"])
       assert.ok(files.includes(`${name}.${end}`), `${name}.${end}`);
   for (const name of ["LICENSE-MIT", "LICENSE-APACHE", "README.md"]) assert.ok(files.includes(name), name);

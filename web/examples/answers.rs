@@ -106,6 +106,11 @@ fn skeletons(given: &mut Given) -> Result<(), Box<dyn Error>> {
     posed.palette(Poses(&locals), INSTANCES)?;
 
     let (a, b) = (Clip::new(JOINTS, &a)?, Clip::new(JOINTS, &b)?);
+    // Steps of more than 60°, which packing divides.
+    let turning = PackedClip::library(
+        &[a.with_rate(30.0), b.looping()],
+        Tolerance { angle: 1e-3, length: 0.5 },
+    )?;
     let (frames_a, t_a): (Vec<_>, Vec<_>) = at_a.iter().map(|&at| a.place(at)).unzip();
     let (frames_b, t_b): (Vec<_>, Vec<_>) = at_b.iter().map(|&at| b.place(at)).unzip();
     let a = Sampled::new(NlerpLerp, a, &frames_a, &t_a)?;
@@ -116,10 +121,12 @@ fn skeletons(given: &mut Given) -> Result<(), Box<dyn Error>> {
     posed.models(Layered::add(NlerpLerp, a, b, &weights), INSTANCES)?;
 
     let library = library()?;
-    let mut bytes = library.as_bytes().to_vec();
-    write(&[bytes.len() as f32])?;
-    bytes.resize(bytes.len().next_multiple_of(4), 0);
-    std::io::stdout().write_all(&bytes)?;
+    for packed in [&library, &turning] {
+        let mut bytes = packed.as_bytes().to_vec();
+        write(&[bytes.len() as f32])?;
+        bytes.resize(bytes.len().next_multiple_of(4), 0);
+        std::io::stdout().write_all(&bytes)?;
+    }
     let clips = library.clips();
     let place = |clip, at| clips.place(clip, at).ok_or("there is no such clip");
     let at = numbers.iter().zip(&at_a).map(|(&clip, &at)| place(clip as usize, at));

@@ -22,7 +22,7 @@ export class Dq8 {
   poses(locals: Floats): Sampled;
   /** A skeleton of parents that come before their children; -1 for none. */
   skeleton(parents: ArrayLike<number>): Skeleton;
-  /** Packed clips, of bytes that Rust, Python or the example mocap wrote, copied. */
+  /** Packed clips, of bytes that dq8/pack, Rust, C or Python wrote, copied. */
   packedClip(bytes: ArrayBufferLike | ArrayLike<number>): PackedClip;
   skin(options: SkinOptions): Skin;
   /** Motions of [x y z w tx ty tz] each. */

@@ -66,7 +66,7 @@ export class Dq8 {
   skeleton(parents) {
     return new Skeleton(this.#module, parents);
   }
-  /** Packed clips of bytes that Rust, Python or the example mocap wrote, copied. */
+  /** Packed clips of bytes that dq8/pack, Rust or Python wrote, copied. */
   packedClip(bytes) {
     return new PackedClip(this.#module, bytes);
   }
@@ -415,4 +415,4 @@ guesses(Dq8, {
 });
 guesses(Skeleton, { sample: "clip.sample", update: "palette", pose: "localToModel", bones: "joints" });
 guesses(Skin, { update: "pose", apply: "pose" });
-guesses(Clip, { pack: "a packed clip that Rust or Python wrote", times: "duration and frames" });
+guesses(Clip, { pack: "pack of dq8/pack", times: "duration and frames" });

@@ -16,6 +16,8 @@ mod limb;
 mod memory;
 #[cfg(feature = "skeletons")]
 mod motions;
+#[cfg(feature = "pack")]
+mod pack;
 mod pool;
 #[cfg(feature = "robots")]
 mod robots;
@@ -25,6 +27,7 @@ mod skeleton;
 mod skin;
 
 /// A motion, eight numbers.
+#[cfg(any(feature = "skeletons", feature = "robots"))]
 type Motion = dq8::DualQuat<f32>;
 
 /// A 4×4 matrix, column after column: what WebGL, WebGPU and three.js read.

@@ -1,23 +1,27 @@
 //! What is true of all functions here: places become slices, errors become a text.
 
 use std::cell::RefCell;
+#[cfg(any(feature = "skeletons", feature = "robots"))]
 use std::fmt::Display;
 use std::slice;
 
 thread_local!(static ERROR: RefCell<String> = const { RefCell::new(String::new()) });
 
 /// 0, or 1 and the text of the error.
+#[cfg(any(feature = "skeletons", feature = "robots"))]
 pub(crate) fn status<E: Display>(result: Result<(), E>) -> u32 {
     result.map_or_else(|error| failed(error, 1), |()| 0)
 }
 
 /// `code`, after the text has been kept.
+#[cfg(any(feature = "skeletons", feature = "robots"))]
 pub(crate) fn failed<E: Display, C>(error: E, code: C) -> C {
     ERROR.with_borrow_mut(|text| *text = error.to_string());
     code
 }
 
 /// What has been made, for JavaScript to keep; null after an error.
+#[cfg(any(feature = "skeletons", feature = "robots"))]
 pub(crate) fn made<T, E: Display>(result: Result<T, E>) -> *mut T {
     result.map_or_else(
         |error| failed(error, std::ptr::null_mut()),

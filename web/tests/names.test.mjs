@@ -22,6 +22,7 @@ const TABLE = [
   ["src/hierarchy/job.rs", "palette", "modelPalette", none("of models, mul and matrices_4x4 have it"), none(WHOLE)],
   ["src/hierarchy/clip.rs", "new", "clip", none("C has packed clips alone"), none(WHOLE)],
   ["src/hierarchy/clip.rs", "new", "sample", none("C has packed clips alone"), none(WHOLE)],
+  ["src/hierarchy/packed_clip.rs", "library", "pack", "clips_pack", "to_bytes"],
   ["src/hierarchy/packed_clip.rs", "from_bytes", "packedClip", "clips_make", "class PackedClip"],
   ["src/hierarchy/packed_clips.rs", "frames", "frames", none("dq8_clips_place cuts what lies beyond"), "frames"],
   ["src/hierarchy/packed_clips.rs", "duration", "duration", "clips_duration", "duration"],
@@ -82,7 +83,7 @@ const TABLE = [
   ["src/storage/mod.rs", null, "motions", none("arrays are the caller's"), none("arrays are NumPy's")],
   ["src/hierarchy/skeleton.rs", null, "free", none(BORROWED), none("Python collects what is not needed")],
 ];
-const declared = ["dq8", "robots", "memory"].map((file) => text(`web/package/${file}.d.ts`)).join("\n");
+const declared = ["dq8", "robots", "pack", "memory"].map((file) => text(`web/package/${file}.d.ts`)).join("\n");
 const [c, python] = [text("capi/include/dq8.h"), text("python/package/dq8/_core.pyi")];
 const word = (name) => new RegExp(`\\b${name.replace(/ /g, "\\s+")}\\b`);
 
@@ -111,7 +112,7 @@ test("every function that is declared is in the table", () => {
 });
 
 test("every method of the package is declared, and every export is called", () => {
-  const files = ["dq8", "robots"].map((file) => text(`web/package/${file}.js`));
+  const files = ["dq8", "robots", "pack"].map((file) => text(`web/package/${file}.js`));
   const internal = new Set(["constructor", "write"]);
   for (const [, name] of files.join("\n").matchAll(/^ {2}(\w+)\(.*\{/gm)) {
     if (!internal.has(name) && !["for", "if"].includes(name))

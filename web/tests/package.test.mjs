@@ -5,6 +5,7 @@ import { execFileSync } from "node:child_process";
 import { existsSync, readFileSync } from "node:fs";
 import { after, before, describe, test } from "node:test";
 import load from "../package/dq8.node.js";
+import loadPacker from "../package/pack.node.js";
 import relaxed from "../package/relaxed.js";
 import robotsRelaxed from "../package/robots-relaxed.js";
 import loadRobots, { OUTCOMES } from "../package/robots.node.js";
@@ -47,10 +48,10 @@ const levels = (process.env.LEVELS ?? "simd128 relaxed").split(" ");
 
 for (const level of levels)
   describe(level, { skip: !built(level) && "not built" }, () => {
-    let dq8, robots;
+    let dq8, robots, packer;
     const [core, arms] = level === "relaxed" ? [relaxed, robotsRelaxed] : [level, level];
     before(async () => {
-      [dq8, robots] = await Promise.all([load({ level: core }), loadRobots({ level: arms })]);
+      [dq8, robots, packer] = await Promise.all([load({ level: core }), loadRobots({ level: arms }), loadPacker()]);
     });
 
     test("answers are those of the native library", (t) => {
@@ -90,9 +91,17 @@ for (const level of levels)
       skeleton.localToModel(a.add(b, weights), models);
       check("models of one clip on another", models);
       // The native library has packed two clips.
-      const length = answers[read],
-        library = dq8.packedClip(answers.slice(read + 1).buffer.slice(0, length));
-      read += 1 + Math.ceil(length / 4);
+      const bytes = () => {
+        const [length, at] = [answers[read], read + 1];
+        read = at + Math.ceil(length / 4);
+        return new Uint8Array(answers.slice(at, read).buffer, 0, length);
+      };
+      const library = dq8.packedClip(bytes());
+      const turning = [
+        { keys: given.clipA, rate: 30 },
+        { keys: given.clipB, loops: true },
+      ];
+      assert.deepEqual(packer.pack(JOINTS, turning, { angle: 1e-3, length: 0.5 }), bytes());
       assert.deepEqual([library.clips, library.frames(), library.frames(1), library.frames(2)], [2, FRAMES, FRAMES, 0]);
       assert.deepEqual(
         [library.duration(), library.duration(1), library.duration(2)],

@@ -5,6 +5,7 @@ import relaxed from "dq8/relaxed";
 import { fromMatrices, readGlb, readGltf, readThree } from "dq8/gltf";
 import loadRobots, { Robot } from "dq8/robots";
 import robotsRelaxed from "dq8/robots-relaxed";
+import loadPacker, { PackError } from "dq8/pack";
 
 const dq8 = await load({ level: relaxed, fallback: supports("relaxed") });
 await named({ wasm: new Uint8Array(8) });
@@ -58,6 +59,13 @@ const posed = dq8.skeleton(parents).clip(bow!.keys, bow!),
   moved = dq8.motions(inverses.length ? inverses : fromMatrices([]));
 // @ts-expect-error: meshes of three.js stay there.
 readThree({ bones: [], boneInverses: [] }).skins[0].primitives;
+const packer = await loadPacker();
+const library = dq8.packedClip(packer.pack(parents.length, [{ ...bow!, loops: true }], { angle: 1e-4 }));
+const place: number | undefined = new Error() instanceof PackError ? library.clips : undefined;
+// @ts-expect-error: packing has one level.
+await loadPacker({ level: relaxed });
+// @ts-expect-error: one clip is an array of one.
+packer.pack(1, bow!);
 const robot = (await loadRobots()).robot("<robot/>");
 const { outcome } = robot.reach(1, locals, at, { position: true });
 const arm = (await loadRobots()).robot("<robot/>", { base: at, tools: [{ name: "tip", link: "hand", pose: at }] });
@@ -80,4 +88,4 @@ function kind(noun: unknown): string {
 }
 const known: "converged" | "outOfReach" | "atLimits" | "stalled" | "unfinished" | "invalid" = outcome;
 palette[Symbol.dispose]();
-export { again, angles, bytes, kind, known, lacking, limb, moved, posed };
+export { again, angles, bytes, kind, known, lacking, limb, moved, place, posed };
