@@ -54,6 +54,7 @@ fn key(local: &DualQuat<f64>) -> [f32; 7] {
 mod tests {
     use super::{key, pack};
     use crate::biped;
+    use dq8::Hierarchy;
     use dq8::hierarchy::{Clip, PackedClip, Tolerance};
 
     /// What the firmware of `tests/firmware` plays: a stride of the biped at 30 frames a second.
@@ -72,7 +73,14 @@ mod tests {
             std::fs::write("../../tests/firmware/jobs/src/stride.clips", packed.as_bytes())
                 .unwrap();
         }
-        assert!(packed.as_bytes() == kept, "DQ8_WRITE_STRIDE=1 writes it");
+        // Other machines round angles otherwise, so that bytes may differ, and the motion may not.
+        let parents = clip.parents();
+        let hierarchy = Hierarchy::new(&parents).unwrap();
+        let worst =
+            |packed: &PackedClip| packed.deviation(&hierarchy, 0, &keys, 1.0).unwrap().worst;
+        let kept = PackedClip::from_bytes(kept.to_vec().into()).unwrap();
+        let (kept, most) = (worst(&kept), 1.01 * worst(&packed));
+        assert!(kept <= most, "{kept} of {most}: DQ8_WRITE_STRIDE=1 writes it");
     }
 
     #[test]
