@@ -361,7 +361,11 @@ fn skeletons_know_names_ancestors_and_leaves() {
     let leg = leg.with_names(["hip", "knee", "", "tail"]).unwrap();
     assert!(leg.names().eq([Some("hip"), Some("knee"), None, Some("tail")]));
     assert_eq!(leg.names().len(), 4);
-    assert!(leg.ancestors(2).eq([1, 0]) && leg.ancestors(0).eq([]) && leg.ancestors(9).eq([]));
+    assert!(
+        leg.ancestors(2).eq([1, 0])
+            && leg.ancestors(0).count() == 0
+            && leg.ancestors(9).count() == 0
+    );
     assert!((0..6).map(|joint| leg.is_leaf(joint)).eq([false, false, true, true, false, false]));
 }
 
