@@ -160,7 +160,14 @@ impl<'s, R: Number> Given<'s, R> {
                 weights.iter().map(|&weight| <R as Real>::from_f64(weight)).collect();
             let (points, moved) = (all(self.points), all(self.moved));
             let now = Given { points: &points, moved: &moved, weights: Some(&weights), ..*self };
+            // A single problem may have millions of pairs, and each part of a round takes its time.
+            if threads.interrupted() {
+                return;
+            }
             let (fits, qualities) = now.each();
+            if threads.interrupted() {
+                return;
+            }
             for (index, (fit, quality)) in fits.iter().zip(&qualities).enumerate() {
                 let at = active[index] * width;
                 to[at..at + NUMBERS].copy_from_slice(&numbers(fit, quality));

@@ -70,7 +70,7 @@ pub(crate) struct Problems<'p> {
 }
 
 /// Solves the problems with these numbers, with the weights of their pairs, and writes the lengths
-/// of the residuals.
+/// of the residuals, unless it is interrupted.
 pub(crate) type Solve<'f> = dyn FnMut(&[usize], &[f64], &mut [f64]) + 'f;
 
 /// Solves problems until their weights settle, or until `threads` are interrupted, and writes the
@@ -103,6 +103,9 @@ pub(crate) fn reweighted(
         residuals.clear();
         residuals.resize(weights.len(), 0.0);
         solve(&active, &weights, &mut residuals);
+        if threads.interrupted() {
+            return;
+        }
         let mut solved = residuals.chunks(pairs);
         active.retain(|&problem| {
             let own = problem * pairs..(problem + 1) * pairs;
