@@ -530,13 +530,17 @@ fn cast(numbers: &[f64]) -> Vec<f32> {
 mod tests {
     use super::{BASE, Passes, Run, Targets, Work, apart, cast, problem, single, speeds};
     use crate::{Humanoid, Person, Settings};
+    use std::fs;
+    use std::path::Path;
 
     #[test]
     fn frames_that_have_lost_their_targets_are_followed_backward_from_those_that_have_not() {
-        let urdf = include_bytes!("../../robot/robots/humanoid.urdf");
-        let humanoid = Humanoid::from_bytes(urdf, None).unwrap();
-        let bvh = include_bytes!("../../examples/mocap/walk.bvh");
-        let (person, _) = Person::from_bvh("walk", bvh).unwrap();
+        // The files are not in the package.
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+        let urdf = fs::read(root.join("robot/robots/humanoid.urdf")).unwrap();
+        let humanoid = Humanoid::from_bytes(&urdf, None).unwrap();
+        let bvh = fs::read(root.join("examples/mocap/walk.bvh")).unwrap();
+        let (person, _) = Person::from_bvh("walk", &bvh).unwrap();
         let settings = Settings::plain();
         let targets = Targets::new(&person, &humanoid, &settings).unwrap();
         let (frames, start) = (targets.frames(), cast(&targets.first(&humanoid).unwrap()));
