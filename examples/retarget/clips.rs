@@ -15,7 +15,7 @@ use std::time::Instant;
 /// The name of the table of measures.
 const TABLE: &str = "measures";
 
-/// What all clips share.
+/// The robot, the settings and the folder that all clips share.
 pub(crate) struct Clips<'a> {
     pub(crate) humanoid: &'a Humanoid,
     /// A table of names.

@@ -88,8 +88,8 @@ pub(crate) fn moving(robot: &Robot) -> Vec<usize> {
     moving
 }
 
-/// How many links of a robot have collision shapes that are known. What is fixed to a link is a
-/// part of it.
+/// The number of links of a robot that have collision shapes, and of those whose shapes are not all
+/// known. Links that are fixed to another one are parts of it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct KnownShapes {
     /// The number of links that have collision shapes of any kind.

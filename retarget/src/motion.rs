@@ -207,21 +207,18 @@ impl Targets {
     }
 }
 
-/// A search from frame to frame of a clip, forward or, where targets were lost, backward.
+/// A search from frame to frame of a clip that goes on from the frame `last`.
 struct Run {
-    next: usize,
-    is_lost: bool,
+    last: usize,
+    is_backward: bool,
 }
 
 impl Run {
-    /// The frame from which it goes on.
-    fn start(&self) -> usize {
-        if self.is_lost { self.next + 1 } else { self.next - 1 }
-    }
-
-    /// The frames that it has before it, of so many in the clip.
-    fn frames(&self, total: usize) -> Box<dyn Iterator<Item = usize>> {
-        if self.is_lost { Box::new((0..=self.next).rev()) } else { Box::new(self.next..total) }
+    /// Returns the frames that it has before it, of so many in the clip.
+    fn frames(&self, total: usize) -> impl Iterator<Item = usize> + use<> {
+        let (last, is_backward) = (self.last, self.is_backward);
+        let count = if is_backward { last } else { total - 1 - last };
+        (1..=count).map(move |step| if is_backward { last - step } else { last + step })
     }
 }
 
@@ -234,7 +231,7 @@ struct Passes<'t> {
     columns: usize,
     /// `[frame][value]`
     values: Vec<f32>,
-    /// How far each frame is from its targets after the first search, metres.
+    /// The largest distance of each frame from a target after the first search, metres.
     errors: Vec<f32>,
 }
 
@@ -299,11 +296,12 @@ impl Passes<'_> {
             }
             if is_torn {
                 let own = reports[row - clip + common - 1].linear_error;
-                let is_lost = self.errors[cut(part) - 1] > own + LOST;
-                runs.push(Run { next: if is_lost { begin(part) } else { cut(part) }, is_lost });
-                if is_lost {
+                let is_backward = self.errors[cut(part) - 1] > own + LOST;
+                if is_backward {
                     common = 0;
                 }
+                let last = if is_backward { begin(part) } else { cut(part) - 1 };
+                runs.push(Run { last, is_backward });
             }
             let frames = self.values[begin(part) * self.columns..].chunks_exact_mut(self.columns);
             let errors = self.errors[begin(part)..].iter_mut().zip(part_errors);
@@ -339,37 +337,38 @@ impl Passes<'_> {
             values.clear();
             clips.clear();
             for run in &runs {
-                let start = run.start() * columns;
-                values.extend_from_slice(&self.values[start..start + columns]);
-                let count = run.frames(total).take(TOGETHER).count();
-                values.resize(values.len() + (count - 1) * columns, 0.0);
+                let (row, posed) = (values.len(), wanted.len());
                 for frame in run.frames(total).take(TOGETHER) {
                     wanted.extend_from_slice(&poses[frame * goals..(frame + 1) * goals]);
                 }
+                let count = (wanted.len() - posed) / goals;
+                values.resize(row + count * columns, 0.0);
+                let last = &self.values[run.last * columns..(run.last + 1) * columns];
+                values[row..row + columns].copy_from_slice(last);
                 clips.push(count);
             }
             let reports = &mut reports[..values.len() / columns];
             self.reach.job().sequence(&clips, &wanted, &mut values, reports, &options)?;
-            let (mut first, mut counts) = (0, clips.iter());
+            let mut rows = values.chunks_exact(columns).zip(reports);
+            let mut counts = clips.iter();
             runs.retain_mut(|run| {
-                let rows = first..first + counts.next().unwrap_or(&0);
-                first = rows.end;
-                for row in rows {
-                    let new = &values[row * columns..(row + 1) * columns];
-                    let own = &mut self.values[run.next * columns..(run.next + 1) * columns];
-                    let (error, before) = (reports[row].linear_error, self.errors[run.next]);
-                    // Backward it is elsewhere in what targets leave free: passes smooth the rest.
-                    let near = if run.is_lost { TORN } else { MET };
+                let mut goes_on = true;
+                let rows = rows.by_ref().take(*counts.next().unwrap_or(&0));
+                for (frame, (new, report)) in run.frames(total).zip(rows) {
+                    let own = &mut self.values[frame * columns..(frame + 1) * columns];
+                    let (error, before) = (report.linear_error, self.errors[frame]);
+                    // Backward, the search differs in all that targets leave free, which passes
+                    // smooth.
+                    let near = if run.is_backward { TORN } else { MET };
                     let is_met = apart(own, new) < near && before < error + LOST;
-                    if is_met || error > before + LOST {
-                        return false;
+                    goes_on &= !is_met && error < before + LOST;
+                    if goes_on {
+                        own.copy_from_slice(new);
+                        self.errors[frame] = error;
+                        run.last = frame;
                     }
-                    own.copy_from_slice(new);
-                    self.errors[run.next] = error;
-                    let Some(next) = run.frames(total).nth(1) else { return false };
-                    run.next = next;
                 }
-                true
+                goes_on && run.frames(total).next().is_some()
             });
             work.has_done(0.0)?;
         }
@@ -563,7 +562,9 @@ mod tests {
             search.errors[frame] = 2.0;
         }
         // Another run begins where nothing is lost, and ends there.
-        let runs = vec![Run { next: 24, is_lost: true }, Run { next: 28, is_lost: false }];
+        let [backward, forward] =
+            [(25, true), (27, false)].map(|(last, is_backward)| Run { last, is_backward });
+        let runs = vec![backward, forward];
         search.mend(&poses, runs, work).unwrap();
         for (frame, rows) in right.chunks(columns).zip(search.values.chunks(columns)).enumerate() {
             let (right, mended) = rows;

@@ -45,7 +45,7 @@ pub struct Report {
     /// The percentage of frames in which the robot is more than a centimetre deep in itself. It is
     /// `None` where that is not known: a shape is a mesh, or there are no shapes that could meet.
     pub self_hits: Option<f64>,
-    /// How many links have shapes from which `self_hits` is known.
+    /// The number of links with shapes, and of those whose shapes are not all known.
     pub shapes: KnownShapes,
 }
 
@@ -100,23 +100,22 @@ impl Report {
         })
     }
 
-    /// The names of the [`measures`](Self::measures) for the columns of a table. They end with
-    /// units.
+    /// The names of the [`measures`](Self::measures), which are those of the fields.
     pub const MEASURES: [&'static str; 14] = [
-        "residual_mm",
-        "residual_high_mm",
-        "feet_mm",
-        "slide_mm_s",
-        "ground_mm",
-        "unevenness_mm",
-        "sink_mm",
-        "sunk_percent",
-        "speed_rad_s",
-        "speed_most_rad_s",
-        "jerk_rad_s3",
-        "at_limits_percent",
-        "beyond_rad",
-        "self_hits_percent",
+        "residual",
+        "residual_high",
+        "feet",
+        "slide",
+        "ground",
+        "unevenness",
+        "sink",
+        "sunk",
+        "speed",
+        "speed_most",
+        "jerk",
+        "at_limits",
+        "beyond",
+        "self_hits",
     ];
 
     /// Returns the measures in the order of their names. `None` is a measure that is not known.

@@ -43,7 +43,7 @@ struct Segment {
     radius: f32,
 }
 
-/// Where a solid is in a frame: its origin, and its axes.
+/// The place of a solid in a frame: its origin, and its axes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Frame {
     pub(crate) origin: Vector,

@@ -12,8 +12,8 @@ type Key = [f32; 7];
 /// it loops.
 type Head = [f64; 3];
 
-/// Which error it is, the clip, the frame and the joint where it is, and the number that is wrong
-/// there. JavaScript has the texts: what writes numbers as text is larger than what packs.
+/// The number of an error, the clip, the frame and the joint where it is, and the number that is
+/// wrong there. JavaScript has the texts: what writes numbers as text is larger than what packs.
 type Fault = [f64; 5];
 
 fn pack(

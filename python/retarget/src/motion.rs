@@ -16,7 +16,7 @@ use pyo3::types::{IntoPyDict, PyDict};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// What ends calls of other threads.
+/// A flag that ends calls of other threads.
 #[pyclass(frozen, module = "dq8.retarget")]
 #[derive(Debug, Default)]
 pub struct Stop(Arc<AtomicBool>);
@@ -147,22 +147,8 @@ pub fn retarget_report<'py>(
 }
 
 fn measures<'py>(py: Python<'py>, report: &Report) -> PyResult<Measures<'py>> {
-    let numbers = [
-        ("residual", report.residual),
-        ("residual_high", report.residual_high),
-        ("feet", report.feet),
-        ("slide", report.slide),
-        ("ground", report.ground),
-        ("unevenness", report.unevenness),
-        ("sink", report.sink),
-        ("sunk", report.sunk),
-        ("speed", report.speed),
-        ("speed_most", report.speed_most),
-        ("jerk", report.jerk),
-        ("at_limits", report.at_limits),
-        ("beyond", report.beyond),
-        // Not known where the file has no shapes or has meshes as shapes.
-        ("self_hits", report.self_hits.unwrap_or(f64::NAN)),
-    ];
+    // What is not known, as where the file has meshes as shapes, is NaN.
+    let numbers = report.measures().map(|measure| measure.unwrap_or(f64::NAN));
+    let numbers = Report::MEASURES.into_iter().zip(numbers);
     Ok((numbers.into_py_dict(py)?, report.warnings()))
 }

@@ -208,7 +208,7 @@ impl Given<'_> {
     }
 }
 
-/// Whether a piece of [`PAIRS`] pairs ends with pair `at` of a problem.
+/// Returns `true` if a piece of [`PAIRS`] pairs ends with pair `at` of a problem.
 fn is_end(at: usize) -> bool {
     at % PAIRS == PAIRS - 1
 }
