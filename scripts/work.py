@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Fails if a reader does more than its share of work for a larger file, whatever is in the file: work.py PROGRAMS [NAME…]
 
-PROGRAMS is the folder of the programs `read` (tests/readers) and `skin` (examples/skin); NAMEs choose files. Valgrind
+PROGRAMS is the folder of the programs `read` (tests/readers), `skin` and `retarget` (examples); NAMEs choose files. Valgrind
 counts their instructions, which but for the seeds of hash tables are the same in every run, for hostile files of two
 sizes, four times apart. What a byte takes may grow by a quarter, as sorting does; a square would be four times as much.
 Each file must end as is said here, so that none is refused before its reader works. A mesh that many nodes of a glTF
@@ -17,8 +17,9 @@ import sys
 import tempfile
 from pathlib import Path
 
+ROOT = Path(__file__).resolve().parent.parent
 MORE = 1.25
-# In seconds, where one takes three: a cube of the size would take days.
+# In seconds, where one takes three to fifteen: a cube of the size would take days.
 LONG = 60
 # The smaller size, in things of a file; some files have a size of their own.
 THINGS = 200
@@ -69,6 +70,19 @@ MESH = {
 }
 
 
+def humanoid(n):
+    """The humanoid with `n` shapes of collision on each hand."""
+    text, ball = (ROOT / "robot/robots/humanoid.urdf").read_text(), '<collision><geometry><sphere radius="0.02"/></geometry></collision>\n'
+    return re.sub(r'<link name="(left|right)_hand"/>', rf'<link name="\1_hand">{ball * n}</link>', text)
+
+
+def standing():
+    """The first frame of the walk."""
+    lines = (ROOT / "examples/mocap/walk.bvh").read_text().splitlines()
+    first = next(i for i, line in enumerate(lines) if line.startswith("Frames:"))
+    return "\n".join([*lines[:first], "Frames: 1", *lines[first + 1 : first + 3], ""])
+
+
 def scene(nodes, **parts):
     nodes[0] = {**nodes[0], "mesh": 0}
     return gltf(nodes=nodes, scene=0, **{"scenes": [{"nodes": [0]}], **MESH, **parts})
@@ -88,6 +102,9 @@ def animated(n):
 
 
 SHARED = "more tracks and frames than there are keys"
+
+# What is not counted, as it is in every file of a format.
+BASES = {"humanoid": humanoid(0)}
 
 # Name: the format, how many things, what makes the file, and how it ends.
 FILES = {
@@ -132,12 +149,19 @@ FILES = {
     "deep JSON": ("gltf", 8, lambda n: scene([{}], extras="") [:-1] + ', "x": ' + "[" * n + "]" * n + "}", "recursion limit exceeded"),
     "numbers without an end": ("numbers", 20, lambda n: "1 " * n, "numbers where 8"),
     "brackets": ("numbers", 20, lambda n: "[" * n, "has 1 number where 8"),
+    "shapes of two hands": ("humanoid", 2, humanoid, "1 frames in"),
 }
 
 
 def counted(programs, form, file):
     """How many instructions it takes, and what is printed."""
-    program = [programs / "skin", file, "--times", "0"] if form == "gltf" else [programs / "read", form, file]
+    program = [programs / "read", form, file]
+    if form == "gltf":
+        program = [programs / "skin", file, "--times", "0"]
+    elif form == "humanoid":
+        clip = file.with_name("stands.bvh")
+        clip.write_text(standing())
+        program = [programs / "retarget", file, clip, "--out", file.parent, "--jobs", "1"]
     command = ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", *program]
     try:
         told = subprocess.run(command, capture_output=True, text=True, errors="replace", timeout=LONG)
@@ -164,7 +188,7 @@ def main():
             if only and name not in only:
                 continue
             if form not in bases:
-                bases[form] = work(form, "")[0]
+                bases[form] = work(form, BASES.get(form, ""))[0]
             each = []
             for things in (THINGS * many, 4 * THINGS * many):
                 text = make(things)

@@ -18,7 +18,7 @@ const DEEP: f32 = 0.005;
 const EAGER: f64 = 1.3;
 
 /// Pushes change with at most this frequency. Hz.
-const FREQUENCY: f64 = 5.0;
+const FREQUENCY: f64 = 8.0;
 
 /// Links that are at most so many joints apart do not count, because shapes are fatter than bodies.
 const JOINTS: usize = 3;

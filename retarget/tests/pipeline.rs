@@ -84,7 +84,7 @@ fn thick() -> Humanoid {
         urdf = with_shape(&urdf, &format!("{side}_thigh"), "0 0 -0.1", &cylinder(0.3, 0.1));
         urdf = with_shape(&urdf, &format!("{side}_hand"), "0 0 -0.03", "<sphere radius='0.06'/>");
     }
-    urdf = with_shape(&urdf, "pelvis", "0 0 0", "<box size='0.2 0.18 0.15'/>");
+    urdf = with_shape(&urdf, "pelvis", "0 0 0", "<box size='0.2 0.3 0.15'/>");
     Humanoid::from_urdf(&urdf).unwrap()
 }
 
@@ -96,9 +96,8 @@ fn shapes_that_meet_are_pushed_apart() {
         retarget(&person, &thick, &settings).unwrap().report
     };
     let (through, apart) = (report(false), report(true));
-    let [through_hits, apart_hits] = [&through, &apart].map(|report| report.self_hits.unwrap());
-    // Between a pelvis that pushes hands up and thighs that push them down, some frames are left.
-    assert!(through_hits > 30.0 && apart_hits < 0.2 * through_hits, "{through}{apart}");
+    assert!(through.self_hits > Some(5.0), "{through}");
+    assert!(apart.self_hits < Some(2.0), "{through}{apart}");
     assert!(apart.residual < through.residual + 12.0 && apart.feet < 2.0, "{through}{apart}");
     assert_eq!(
         retarget(&person, &humanoid(), &Settings::default()).unwrap().report.self_hits,

@@ -35,24 +35,3 @@ fn self_hits_are_not_known_where_a_link_has_a_mesh() {
         assert_eq!(told.contains("links have meshes as collision shapes"), unread > 0, "{told}");
     }
 }
-
-#[test]
-fn thousands_of_balls_on_links_that_do_not_meet_cost_no_pairs() {
-    let mut urdf = with_soles();
-    let ball =
-        "<collision><origin xyz='0 0 0'/><geometry><sphere radius='0.02'/></geometry></collision>";
-    for link in ["left_hand", "right_hand"] {
-        let element = format!("<link name=\"{link}\"/>");
-        assert!(urdf.contains(&element));
-        let balls = ball.repeat(4000);
-        urdf = urdf.replace(&element, &format!("<link name=\"{link}\">{balls}</link>"));
-    }
-    let humanoid = Humanoid::from_urdf(&urdf).unwrap();
-    let mut clip = biped::clip();
-    clip.values.truncate(10 * clip.channels());
-    // Pairs of balls would be 32 millions, with their depths and places in each frame.
-    let begin = std::time::Instant::now();
-    let report = retarget(&person(&clip), &humanoid, &Settings::default()).unwrap().report;
-    assert_eq!((report.shapes.links, report.self_hits), (4, Some(0.0)));
-    assert!(begin.elapsed().as_secs_f64() < 20.0, "{:?}", begin.elapsed());
-}
