@@ -2,6 +2,7 @@
 
 import dataclasses
 import json
+import os
 import pickle
 import subprocess
 import sys
@@ -119,6 +120,25 @@ def test_settings_are_obeyed(robot):
         rt.retarget(person, robot, fast=True)
 
 
+def test_every_setting_changes_the_motion(tmp_path):
+    # Hands that are so large that they meet the thighs, and soles.
+    shape = "<collision><origin xyz='{}'/><geometry><{}/></geometry></collision></link>"
+    text = URDF.read_text()
+    for side in ("left", "right"):
+        text = text.replace(f'<link name="{side}_hand"/>', f'<link name="{side}_hand">' + shape.format("0 0 -0.03", "sphere radius='0.2'"))
+        text = text.replace(f'<link name="{side}_foot"/>', f'<link name="{side}_foot">' + shape.format("0 0 -0.05", "box size='0.2 0.08 0.04'"))
+        text = text.replace(f'<link name="{side}_thigh"/>', f'<link name="{side}_thigh">' + shape.format("0 0 -0.1", "cylinder length='0.3' radius='0.15'"))
+    robot, person = rt.Humanoid(text), rt.load(WALK)
+    usual = rt.retarget(person, robot)
+    for options in ({"fps": 60}, {"rest": 5}, {"ankle": 0.2}, {"feet": False}, {"smooth": 8.0}, {"speeds": "file"}, {"speeds": 1.0}, {"collide": False}):
+        changed = rt.retarget(person, robot, **options)
+        assert changed.values.shape != usual.values.shape or abs(changed.values - usual.values).max() > 1e-3, options
+    wrong = [{"fps": "x"}, {"fps": True}, {"rest": 1.5}, {"feet": 1}, {"smooth": "no"}, {"speeds": [1.0]}, {"collide": None}]
+    for options in wrong:
+        with pytest.raises(TypeError, match=f"Expected `{next(iter(options))}` to be"):
+            rt.settings(**options)
+
+
 def test_a_report_measures_other_motions(motion, robot):
     person = rt.load(WALK)
     assert dict(rt.report(motion, person)) == pytest.approx(dict(motion.report), abs=1e-4, nan_ok=True)
@@ -126,6 +146,12 @@ def test_a_report_measures_other_motions(motion, robot):
     assert rt.report(shaken, person)["jerk"] > 10 * motion.report["jerk"]
     with pytest.raises(ValueError, match="`values` to have shape"):
         rt.report(motion, person, fps=30)
+    values = motion.values.copy()
+    values[3, 2] = np.nan
+    with pytest.raises(ValueError, match="nan in frame 3, column 9 "):
+        rt.report(dataclasses.replace(motion, values=values), person)
+    with pytest.raises(TypeError, match="got one: 'pelvis'"):
+        motion.poses("pelvis")
 
 
 def check_rows(robot, root, values, motion):
@@ -316,6 +342,19 @@ def test_arrays_of_body_models_are_read_in_all_their_forms(robot, tmp_path):
         rt.body_model(model, turns[:, :21], places, 30)
 
 
+def test_arrays_of_body_models_that_do_not_fit_are_named():
+    turns, places = np.zeros((10, 55, 3)), np.zeros((10, 3))
+    model = {"v_template": np.zeros((30, 3)), "shapedirs": np.zeros((30, 3, 2)), "J_regressor": np.zeros((55, 30))}
+    for name, wrong in (("turns", (turns[:5], places)), ("places", (turns, places[:, :2])), ("turns", (turns[0], places)), ("turns", (turns, places[:5]))):
+        with pytest.raises(ValueError, match=f"Expected `{name}` to have shape"):
+            rt.body_model(model, *wrong, 30)
+    for name in model:
+        with pytest.raises(ValueError, match=f"Expected `{name}` to have shape"):
+            rt.body_model(model | {name: model[name].T}, turns, places, 30)
+    with pytest.raises(ValueError, match="`betas` has 9 elements, and the other arrays ask for 2"):
+        rt.body_model(model, turns, places, 30, betas=np.zeros(9))
+
+
 def test_a_robot_without_legs_is_refused():
     with pytest.raises(ValueError, match=r"(?s)no two legs .*\(`table=`\)"):
         rt.Humanoid(ROBOTS / "arm7.urdf")
@@ -441,6 +480,53 @@ def test_what_is_wrong_for_all_clips_is_an_error_at_once(clips, robot, tmp_path)
     with pytest.raises(ValueError, match="one name"):
         rt.archive([*clips, clips[1].with_suffix(".npz")], robot, out)
     assert not out.exists()
+
+
+def test_an_archive_replaces_no_clip_and_writes_nowhere_else(clips, robot, tmp_path, monkeypatch):
+    (tmp_path / "clips/one.npz").write_bytes(b"no arrays")
+    with pytest.raises(ValueError, match="would replace a clip"):
+        rt.archive(tmp_path / "clips/one.npz", robot, tmp_path / "clips")
+    # The same clip by another path, and a folder beside.
+    monkeypatch.chdir(tmp_path / "clips/a")
+    given = ["walk.bvh", "../a/walk.bvh", clips[0], "../b/walk.bvh"]
+    table = rt.archive(given, robot, "../../out", fps=10)
+    assert table.column("motion").to_pylist() == ["a/walk.npz", "b/walk.npz"]
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["clips", "out"]
+    # Names with the signs of patterns, folders among what a pattern finds, and one path.
+    clips[0].rename(tmp_path / "clips/w[a]lk.bvh")
+    assert len(rt.archive(str(tmp_path / "clips/w[a]lk.bvh"), robot, tmp_path / "one", fps=10)) == 1
+    (tmp_path / "clips/folder.bvh").mkdir()
+    assert len(rt.archive(str(tmp_path / "clips/**/*.bvh"), robot, tmp_path / "all", fps=10)) == 3
+    for files, workers, said in (([], None, "got none"), (clips[1:], 0, "workers"), (clips[1:], "2", "workers"), ([b"\xff.bvh".decode(errors="surrogateescape")], 1, "not UTF-8")):
+        with pytest.raises(ValueError, match=said):
+            rt.archive(files, robot, tmp_path / "none", workers=workers)
+    assert not (tmp_path / "none").exists()
+
+
+def test_an_archive_has_no_motion_of_another_clip_or_call(clips, robot, tmp_path):
+    out = tmp_path / "out"
+    rt.archive(clips[:2], robot, out, fps=10)
+    # Other clips of the same names, sizes and times.
+    other = tmp_path / "other"
+    for path in clips[:2]:
+        to = other / path.parent.name / path.name
+        to.parent.mkdir(parents=True)
+        to.write_text(path.read_text().replace("0.92", "0.91"))
+        os.utime(to, ns=(path.stat().st_atime_ns, path.stat().st_mtime_ns))
+    before = stamps(out)
+    rt.archive([other / "a/walk.bvh", other / "b/walk.bvh"], robot, out, fps=10)
+    assert all(stamp != before[name] for name, stamp in stamps(out).items())
+    # The table has what calls before have made; a clip that has become bad has no motion.
+    rt.archive(clips, robot, out, fps=10)
+    clips[1].write_text("no clip")
+    with pytest.warns(UserWarning, match="1 of 3"):
+        rt.archive(clips, robot, out, fps=10)
+    assert not (out / "b/walk.npz").exists()
+    rt.archive(clips[:1] + clips[2:], robot, out, fps=10)
+    assert sorted(pyarrow.parquet.read_table(out / "measures.parquet").column("file").to_pylist()) == ["a/walk.bvh", "b/last.bvh"]
+    (out / "measures.parquet").write_bytes(b"junk")
+    with pytest.raises(ValueError, match="remove it"):
+        rt.archive(clips[2:], robot, out)
 
 
 def test_an_archive_without_pyarrow_says_how_to_install_it(clips, robot, tmp_path, monkeypatch):

@@ -142,7 +142,7 @@ impl fmt::Display for RetargetError {
                 write!(f, "the pose of the joint {joint:?} in frame {frame} is not finite, or too large")
             }
             Self::Lengths { array, length, expected } => {
-                write!(f, "the array of {array} has {length} elements, which does not fit {expected}")
+                write!(f, "the array `{array}` has {length} elements, and the other arrays ask for {expected}")
             }
             Self::Parent { joint, parent } => {
                 write!(f, "joint {joint} names joint {parent} as its parent, which does not stand before it")

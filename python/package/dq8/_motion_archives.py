@@ -22,8 +22,7 @@ from . import _core
 from ._extras import needed
 from ._motion_files import SUFFIXES, chosen, save, whole
 from ._motions import UNITS, Humanoid, retargeted, settings
-from ._people import Table, opened, toml
-from ._progress import progress as _progress
+from ._people import BODY, Table, array_of, opened, toml
 from ._progress import tell
 
 Row = dict[str, Any]
@@ -31,7 +30,7 @@ Row = dict[str, Any]
 
 
 def archive(
-    files: str | Iterable[str | os.PathLike[str]],
+    files: str | os.PathLike[str] | Iterable[str | os.PathLike[str]],
     robot: Any,
     out: str | os.PathLike[str],
     *,
@@ -48,12 +47,13 @@ def archive(
 
     A call that was ended, or killed, goes on where it was: clips whose files and keywords are the same are not computed again.
     A file of a motion is whole or not there. Clips that fail are named by a warning, and have their error in their rows; the
-    next call tries them again. The parts of `files` that differ, folders and names without suffixes, are the names in `out`.
+    next call tries them again, and has no file of their motion. The parts of `files` that differ, folders and names without
+    suffixes, are the names in `out`, so a folder `out` belongs to one pattern.
 
     Parameters
     ----------
     files : str, or iterable of str and os.PathLike
-        The clips, as of `load`; or a pattern, ``"clips/**/*.bvh"``.
+        The clips, as of `load`; or one of them, or a pattern, ``"clips/**/*.bvh"``.
     robot : Humanoid, or what it is made of
         The robot.
     out : str or os.PathLike
@@ -63,7 +63,7 @@ def archive(
     format, joints, bodies
         As of `save`.
     progress : callable, optional
-        Told which part of the clips is done, as by `dq8.progress`.
+        Told which part of the clips is done, in the thread of the call, and 1 at last.
     model, table
         As of `load`, for all clips.
     **options
@@ -72,26 +72,31 @@ def archive(
     Returns
     -------
     pyarrow.Table
-        The rows of ``measures.parquet``: ``file``, ``motion``, ``frames``, ``fps``, the measures of a `Report`, ``warnings``,
-        ``error``, and what tells whether a clip has changed.
+        A row for each clip: ``file``, ``motion``, ``frames``, ``fps``, the measures of a `Report`, ``warnings``, ``error``, and what
+        tells whether a clip has changed. ``measures.parquet`` also has the rows of calls before whose motions are there.
     """
-    job, paths = job_of(files, robot, out, format=format, model=model, table=table, joints=joints, bodies=bodies, **options)
     needed("pyarrow.parquet", "retarget")
     if workers is None:
         workers = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    elif isinstance(workers, bool) or not isinstance(workers, (int, np.integer)) or workers < 1:
+        raise ValueError(f"Expected `workers` to be a number of threads, 1 or more, got {workers!r}.")
+    job, paths = job_of(files, robot, out, format=format, model=model, table=table, joints=joints, bodies=bodies, **options)
     rows = {row["file"]: row for row in _known(job.out)}
     left = [path for path in paths if not job.has(rows.get(job.name(path)), path)]
-    main = threading.current_thread() is threading.main_thread()
-    with contextlib.nullcontext() if progress is None else _progress(progress), open(job.out / _JOURNAL, "a", encoding="utf-8") as journal:
+    # What `dq8.progress` has set listens to the main thread alone.
+    told = progress or (tell if threading.current_thread() is threading.main_thread() else lambda _: None)
+    with open(job.out / _JOURNAL, "a", encoding="utf-8") as journal:
         for done, row in enumerate(_shared(job, left, workers), 1):
             rows[row["file"]] = row
             # The line before may be a part, of a process that was killed.
             journal.write("\n" + json.dumps(row))
             journal.flush()
-            if main:
-                tell((len(paths) - len(left) + done) / len(paths))
-    mine = [rows[job.name(path)] for path in paths]
-    made = write(job.out, mine)
+            told((len(paths) - len(left) + done) / len(paths))
+    mine = [rows.pop(job.name(path)) for path in paths]
+    others = [row for row in rows.values() if row["motion"] and (job.out / row["motion"]).is_file()]
+    made = write(job.out, [*mine, *others]).slice(0, len(mine))
+    if progress:
+        progress(1.0)
     failed = [f"{row['file']}: {row['error']}" for row in mine if row["error"] is not None]
     if failed:
         more = [f"and {len(failed) - 10} more"] if len(failed) > 10 else []
@@ -103,12 +108,17 @@ def job_of(files: Any, robot: Any, out: Any, *, format: str, model: Any, table: 
     """What is done with each clip, and the clips. What is wrong for all of them is an error here."""
     from . import __version__
 
-    if isinstance(files, str):
-        found: list[Path] = [Path(path) for path in sorted(glob.glob(files, recursive=True))] if glob.has_magic(files) else [Path(files)]
+    if isinstance(files, (str, os.PathLike)):
+        given = os.fspath(files)
+        is_pattern = glob.has_magic(given) and not os.path.lexists(given)
+        matching = sorted(glob.glob(given, recursive=True)) if is_pattern else [given]
+        found = [Path(path) for path in matching if not (is_pattern and os.path.isdir(path))]
         if not found:
-            raise ValueError(f"There is no file {files!r}.")
+            raise ValueError(f"There is no file {given!r}.")
     else:
         found = [Path(path) for path in files]
+        if not found:
+            raise ValueError("Expected `files` to be clips, got none.")
     if format not in SUFFIXES:
         raise ValueError(f"Expected `format` to be one of {', '.join(map(repr, SUFFIXES))}, got {format!r}.")
     humanoid = robot if isinstance(robot, Humanoid) else Humanoid(robot)
@@ -116,24 +126,35 @@ def job_of(files: Any, robot: Any, out: Any, *, format: str, model: Any, table: 
     # Both may be iterators.
     joints, bodies = (None if names is None else list(names) for names in (joints, bodies))
     wishes, text = settings(**options), toml(table)
-    root = Path(os.path.commonpath([path.absolute().parent for path in found])) if found else Path()
+    # A clip that is given twice, by other paths to it as well, is one.
+    paths = {Path(os.path.abspath(path)): path for path in reversed(found)}
+    root = Path(os.path.commonpath([path.parent for path in paths]))
     said = [__version__, humanoid.__reduce__()[1], wishes, format, joints, bodies, text, _said(model)]
     key = hashlib.sha256(repr(said).encode()).hexdigest()[:16]
     job = Job(humanoid, root, Path(out), format, joints, bodies, model, text, wishes, key)
     names: dict[Path, Path] = {}
-    for path in found:
-        other = names.setdefault(job.motion(path), path)
+    sources = {path.resolve() for path in paths}
+    for path in reversed(paths.values()):
+        motion = job.motion(path)
+        other = names.setdefault(motion, path)
         if other != path:
-            raise ValueError(f"{other} and {path} have one name without their suffixes, {job.motion(path)}.")
+            raise ValueError(f"{other} and {path} have one name without their suffixes, {motion}.")
+        if (job.out / motion).resolve() in sources:
+            raise ValueError(f"The motion of {path} would replace a clip, {job.out / motion}: choose another `out`.")
+        try:
+            os.path.abspath(path).encode()
+        except UnicodeEncodeError:
+            raise ValueError(f"The name of {os.fsencode(path)!r} is not UTF-8, as names in tables are.") from None
     job.out.mkdir(parents=True, exist_ok=True)
     return job, list(names.values())
 
 
 def _said(model: Any) -> Any:
     """What tells one body model from another."""
-    if model is None or isinstance(model, Mapping):
-        return None if model is None else hashlib.sha256(np.asarray(model["v_template"]).tobytes()).hexdigest()
-    return os.fspath(model), os.stat(model).st_mtime_ns
+    if isinstance(model, Mapping):
+        arrays = [np.ascontiguousarray(array_of(model, name)) for name in BODY]
+        return [(array.shape, str(array.dtype), hashlib.sha256(array.tobytes()).hexdigest()) for array in arrays]
+    return None if model is None else (os.fspath(model), os.stat(model).st_mtime_ns)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -154,7 +175,7 @@ class Job:
 
     def name(self, path: Path) -> str:
         """The clip in rows."""
-        return path.absolute().relative_to(self.root).as_posix()
+        return Path(os.path.abspath(path)).relative_to(self.root).as_posix()
 
     def motion(self, path: Path) -> Path:
         """The file of the motion, in `out`."""
@@ -162,11 +183,11 @@ class Job:
 
     def _state(self, path: Path) -> Row:
         """What tells whether a clip has changed."""
-        try:
+        own: Row = {"source": os.path.abspath(path), "size": None, "modified": None, "key": self.key}
+        with contextlib.suppress(OSError):
             stamp = path.stat()
-        except OSError:
-            return {"size": None, "modified": None, "key": self.key}
-        return {"size": stamp.st_size, "modified": stamp.st_mtime_ns, "key": self.key}
+            own |= {"size": stamp.st_size, "modified": stamp.st_mtime_ns}
+        return own
 
     def has(self, row: Row | None, path: Path) -> bool:
         """Whether a row is that of the clip as it is, and its motion is there."""
@@ -176,12 +197,13 @@ class Job:
 
     def __call__(self, path: Path, stop: _core.Stop | None = None) -> Row:
         """Computes a clip, and says what became of it."""
-        row: Row = {"file": self.name(path), "motion": None, "frames": None, "fps": None, "warnings": "", "error": None}
-        row |= self._state(path)
+        row: Row = dict.fromkeys(_COLUMNS) | {"file": self.name(path), "warnings": ""} | self._state(path)
+        target = self.out / self.motion(path)
         try:
+            # That of another call is not the motion of this one.
+            target.unlink(missing_ok=True)
             person = opened(path, self.model, self.table)
             motion = retargeted(person, self.humanoid, self.wishes, stop)
-            target = self.out / self.motion(path)
             target.parent.mkdir(parents=True, exist_ok=True)
             save(motion, target, self.format, joints=self.joints, bodies=self.bodies)
         except Exception as error:  # noqa: BLE001: whatever is wrong with a clip, the others are computed
@@ -209,26 +231,32 @@ def _shared(job: Job, paths: list[Path], workers: int) -> Iterator[Row]:
 _JOURNAL, _TABLE = "measures.jsonl", "measures.parquet"
 """Rows as they come, and the table of all."""
 
+_COLUMNS = ["file", "motion", "frames", "fps", *UNITS, "warnings", "error", "source", "size", "modified", "key"]
+
 
 def _known(out: Path) -> Iterator[Row]:
     """The rows that calls before have written."""
+    rows: list[Any] = []
     if (out / _TABLE).is_file():
-        yield from needed("pyarrow.parquet", "retarget").read_table(out / _TABLE).to_pylist()
+        try:
+            rows += needed("pyarrow.parquet", "retarget").read_table(out / _TABLE).to_pylist()
+        except (OSError, ValueError) as error:
+            raise ValueError(f"{out / _TABLE} is no table of an archive; remove it: {error}") from None
     if (out / _JOURNAL).is_file():
-        for line in (out / _JOURNAL).read_text(encoding="utf-8").splitlines():
+        for line in (out / _JOURNAL).read_text(encoding="utf-8", errors="replace").split("\n"):
             # Empty ones, and parts.
             with contextlib.suppress(ValueError):
-                yield json.loads(line)
+                rows.append(json.loads(line))
+    yield from (row for row in rows if isinstance(row, dict) and row.keys() >= set(_COLUMNS))
 
 
 def write(out: str | os.PathLike[str], rows: Iterable[Row]) -> Any:
     """Writes the table of an archive, and returns it."""
     pa, parquet = needed("pyarrow", "retarget"), needed("pyarrow.parquet", "retarget")
-    kinds = {name: pa.string() for name in ("file", "motion", "key", "warnings", "error")}
+    kinds = {name: pa.string() for name in ("file", "motion", "source", "key", "warnings", "error")}
     kinds |= {name: pa.int64() for name in ("frames", "size", "modified")}
-    names = ["file", "motion", "frames", "fps", *UNITS, "warnings", "error", "size", "modified", "key"]
-    schema = pa.schema([(name, kinds.get(name, pa.float64())) for name in names])
-    made = pa.Table.from_pylist([{name: row.get(name) for name in names} for row in rows], schema)
+    schema = pa.schema([(name, kinds.get(name, pa.float64())) for name in _COLUMNS])
+    made = pa.Table.from_pylist(list(rows), schema)
     whole(Path(out) / _TABLE, lambda file: parquet.write_table(made, file))
     (Path(out) / _JOURNAL).unlink(missing_ok=True)
     return made

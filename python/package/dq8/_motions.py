@@ -126,6 +126,8 @@ class Motion:
 
     def poses(self, links: Sequence[str | int] | None = None) -> NDArray[np.float64]:
         """The poses of links in the world, shape (frames, links, 8): of all links, or of those that are named."""
+        if isinstance(links, (str, int)):
+            raise TypeError(f"Expected `links` to be a sequence of links, got one: {links!r}.")
         poses: NDArray[np.float64] = self.humanoid._mechanism.poses(self.configurations(), links)
         return poses
 
@@ -134,6 +136,18 @@ class Motion:
 
     def _repr_html_(self) -> str:
         return f"<p>{html.escape(repr(self))}</p>{self.report._repr_html_()}"
+
+
+_NONE = type(None)
+_KINDS: dict[str, tuple[str, tuple[type, ...]]] = {
+    "fps": ("a number", (float, int)),
+    "rest": ("a number of a frame or None", (int, _NONE)),
+    "ankle": ("a number or None", (float, int, _NONE)),
+    "feet": ("True or False", (bool,)),
+    "smooth": ("a number or None", (float, int, _NONE)),
+    "speeds": ("a number, 'file' or None", (float, int, str, _NONE)),
+    "collide": ("True or False", (bool,)),
+}
 
 
 def settings(
@@ -167,6 +181,10 @@ def settings(
     """
     given = {"fps": fps, "rest": rest, "ankle": ankle, "feet": feet, "smooth": smooth, "speeds": speeds, "collide": collide}
     wishes = {name: value.item() if isinstance(value, np.generic) else value for name, value in given.items()}
+    for name, (what, kinds) in _KINDS.items():
+        # A flag is a number to Python.
+        if not isinstance(wishes[name], kinds) or (isinstance(wishes[name], bool) and bool not in kinds):
+            raise TypeError(f"Expected `{name}` to be {what}, got {wishes[name]!r}.")
     _core.check_settings(wishes)
     return wishes
 
@@ -201,7 +219,11 @@ def retargeted(person: Person, humanoid: Humanoid, wishes: dict[str, Any], stop:
 def report(motion: Motion, person: Person, **options: Any) -> Report:
     """Measures a motion, made here or elsewhere, by what a person does: the keywords say what is asked for, as of `settings`.
 
-    The frames per second are those of the motion. ``dataclasses.replace(motion, values=...)`` is a motion with other values.
+    The frames per second are those of the motion if `fps` does not say others. ``dataclasses.replace(motion, values=...)`` is a motion with other values.
     """
     wishes = settings(**{"fps": motion.fps, **options})
-    return Report(*_core.retarget_report(person, motion.humanoid, motion.configurations(), wishes))
+    configurations = motion.configurations()
+    if not np.isfinite(configurations).all():
+        frame, column = np.argwhere(~np.isfinite(configurations))[0]
+        raise ValueError(f"Expected finite numbers, got {configurations[frame, column]} in frame {frame}, column {column} of the configurations.")
+    return Report(*_core.retarget_report(person, motion.humanoid, configurations, wishes))

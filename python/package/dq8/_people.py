@@ -5,6 +5,7 @@ from __future__ import annotations
 import functools
 import json
 import os
+import threading
 import warnings
 import zipfile
 from collections.abc import Mapping, Sequence
@@ -19,7 +20,10 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
 Table = str | os.PathLike[str] | Mapping[str, Mapping[str, Any]]
-"""Roles by names, under ``links`` and ``joints``: text of TOML, the path of such a file, or a mapping."""
+"""Roles by names, under ``links`` and ``joints``: a mapping, the path of a file of TOML, a str that ends on ``.toml``, or its text."""
+
+BODY = ("v_template", "shapedirs", "J_regressor")
+"""The arrays of a body model."""
 
 def toml(table: Table | None) -> str | None:
     """The text of a table."""
@@ -30,7 +34,7 @@ def toml(table: Table | None) -> str | None:
 
     def written(value: Any) -> str:
         if isinstance(value, Mapping):
-            return "{ " + ", ".join(f"{name} = {written(one)}" for name, one in value.items()) + " }"
+            return "{ " + ", ".join(f"{json.dumps(name)} = {written(one)}" for name, one in value.items()) + " }"
         if not isinstance(value, str):
             raise TypeError(f"Expected `table` to hold names, got {value!r}.")
         return json.dumps(value, ensure_ascii=False)
@@ -39,7 +43,7 @@ def toml(table: Table | None) -> str | None:
     for section, entries in table.items():
         if not isinstance(entries, Mapping):
             raise TypeError(f"Expected `table` to have mappings of roles, got {entries!r} for {section!r}.")
-        sections += [f"[{section}]", *(f"{json.dumps(role)} = {written(value)}" for role, value in entries.items())]
+        sections += [f"[{json.dumps(section)}]", *(f"{json.dumps(role)} = {written(value)}" for role, value in entries.items())]
     return "\n".join(sections)
 
 
@@ -76,17 +80,17 @@ def opened(source: Any, model: Any, table: str | None) -> Person:
     if model is None:
         raise ValueError("Expected `model`, the arrays of the body that the poses of AMASS and SMPL-X belong to.")
     title = "arrays" if isinstance(source, Mapping) else Path(source).stem
+    arrays = source if isinstance(source, Mapping) else _read(Path(source))
     with _named(source):
-        arrays = _arrays(source)
         rate = next((arrays[name] for name in ("mocap_frame_rate", "mocap_framerate", "fps") if name in arrays), None)
         if rate is None:
             raise ValueError("there is no 'mocap_frame_rate' among the arrays")
         if "poses" in arrays:
             turns = np.asarray(arrays["poses"])
         else:
-            turns = np.concatenate([_array(arrays, "root_orient"), _array(arrays, "pose_body")], axis=-1)
+            turns = np.concatenate([array_of(arrays, "root_orient"), array_of(arrays, "pose_body")], axis=-1)
         betas = arrays["betas"] if "betas" in arrays else np.zeros(0)
-        return body_model(model, turns, _array(arrays, "trans"), float(rate), betas=betas, table=table, title=title)
+        return body_model(model, turns, array_of(arrays, "trans"), float(np.asarray(rate).item()), betas=betas, table=table, title=title)
 
 
 def body_model(
@@ -116,14 +120,20 @@ def body_model(
     table, title
         As of `load` and `Person.title`.
     """
-    arrays = _arrays(model)
-    vertices, shapes, regressor = (_array(arrays, name) for name in ("v_template", "shapedirs", "J_regressor"))
+    arrays = model if isinstance(model, Mapping) else _body(model)
+    vertices, shapes, regressor = (array_of(arrays, name) for name in BODY)
+    count = len(vertices) if vertices.ndim else 0
+    _shaped("v_template", vertices, (count, 3))
+    _shaped("shapedirs", shapes, (count, 3, None))
+    _shaped("J_regressor", regressor, (None, count))
     given = np.ravel(np.asarray(betas))
     # No more of the shapes than is asked for: all of them are a hundred megabytes.
     shapes = np.ascontiguousarray(shapes[..., : max(1, len(given))])
-    turned = np.asarray(turns)
+    turned, places = np.asarray(turns), np.asarray(places)
     if turned.ndim == 2 and turned.shape[1] % 3 == 0:
-        turned = turned.reshape(len(turned), -1, 3)
+        turned = turned.reshape(len(turned), turned.shape[1] // 3, 3)
+    _shaped("places", places, (None, 3))
+    _shaped("turns", turned, (len(places), None, 3))
     return Person._from_body_model(title, vertices, shapes, regressor, given, turned, places, fps, toml(table))
 
 
@@ -171,27 +181,45 @@ class _named:  # noqa: N801
             raise ValueError(f"{os.fspath(self.source)}: {error}") from None
 
 
-def _arrays(source: Any) -> Mapping[str, Any]:
-    """The arrays of a file, or those that are given."""
-    if isinstance(source, Mapping):
-        return source
-    path = Path(source)
-    stamp = path.stat()
-    return _read(str(path), stamp.st_mtime_ns, stamp.st_size)
+_CLIP = {"poses", "root_orient", "pose_body", "trans", "betas", "mocap_frame_rate", "mocap_framerate", "fps"}
 
 
-@functools.lru_cache(maxsize=2)
-def _read(path: str, *stamp: int) -> Mapping[str, Any]:
-    """The arrays of a file that has not changed; a body model is read once for all clips."""
-    wanted = {"v_template", "shapedirs", "J_regressor", "poses", "root_orient", "pose_body", "trans", "betas"}
-    wanted |= {"mocap_frame_rate", "mocap_framerate", "fps"}
-    with np.load(path) as file:
-        if not isinstance(file, Mapping):
-            raise ValueError("not a file of several arrays")
-        return {name: file[name] for name in file if name in wanted}
+def _read(path: Path) -> Mapping[str, Any]:
+    """The arrays of a file that are known here."""
+    with _named(path):
+        try:
+            file = np.load(path)
+        except ValueError:
+            raise ValueError("not an .npz file") from None
+        if not isinstance(file, np.lib.npyio.NpzFile):
+            raise ValueError("not an .npz file, but one array")
+        with file:
+            return {name: file[name] for name in file if name in _CLIP or name in BODY}
 
 
-def _array(arrays: Mapping[str, Any], name: str) -> NDArray[Any]:
+def _body(model: str | os.PathLike[str]) -> Mapping[str, Any]:
+    """The arrays of a file that has not changed: many clips, of many threads, have one body model."""
+    stamp = os.stat(model)
+    with _reading:
+        return _read_body(Path(model), stamp.st_mtime_ns, stamp.st_size)
+
+
+_reading = threading.Lock()
+
+
+@functools.lru_cache(maxsize=1)
+def _read_body(path: Path, *stamp: int) -> Mapping[str, Any]:
+    return _read(path)
+
+
+def _shaped(name: str, array: NDArray[Any], shape: tuple[int | None, ...]) -> None:
+    """Refuses an array of another shape; None stands for any length."""
+    if array.ndim != len(shape) or any(want not in (None, have) for want, have in zip(shape, array.shape)):
+        wanted = ", ".join("n" if want is None else str(want) for want in shape)
+        raise ValueError(f"Expected `{name}` to have shape ({wanted}), got {array.shape}.")
+
+
+def array_of(arrays: Mapping[str, Any], name: str) -> NDArray[Any]:
     if name not in arrays:
         raise ValueError(f"there is no {name!r} among the arrays: {', '.join(map(str, arrays)) or 'none that is known'}")
     array = arrays[name]

@@ -339,7 +339,7 @@ def archive(files: Any, robot: Any, out: Any, *, partitions: int | None = None, 
     """Lazy `dq8.retarget.archive`: a ``dask.bag.Bag`` of its rows, a task for each clip or for as many as make so many `partitions`.
 
     Each task writes the file of its motion into `out`, a folder that all workers have. Nothing is kept of calls before, and the
-    table of measures is the caller's: ``archive(...).to_dataframe().to_parquet("measures")``.
+    table of measures is the caller's: ``pandas.DataFrame(archive(...).compute()).to_parquet("measures.parquet")``.
     """
     paths: list[Any]
     keywords = {"format": "npz", "model": None, "table": None, "joints": None, "bodies": None}
