@@ -489,7 +489,9 @@ def test_an_archive_replaces_no_clip_and_writes_nowhere_else(clips, robot, tmp_p
     # The same clip by another path, and a folder beside.
     monkeypatch.chdir(tmp_path / "clips/a")
     given = ["walk.bvh", "../a/walk.bvh", clips[0], "../b/walk.bvh"]
-    table = rt.archive(given, robot, "../../out", fps=10)
+    table = rt.archive(given, robot, "../../out", fps=10, bodies=iter(BODIES))
+    with np.load("../../out/a/walk.npz") as file:
+        assert file["body_pos_w"].shape[1:] == (len(BODIES), 3)
     assert table.column("motion").to_pylist() == ["a/walk.npz", "b/walk.npz"]
     assert sorted(path.name for path in tmp_path.iterdir()) == ["clips", "out"]
     # Names with the signs of patterns, folders among what a pattern finds, and one path.

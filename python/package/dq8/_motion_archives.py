@@ -122,9 +122,9 @@ def job_of(files: Any, robot: Any, out: Any, *, format: str, model: Any, table: 
     if format not in SUFFIXES:
         raise ValueError(f"Expected `format` to be one of {', '.join(map(repr, SUFFIXES))}, got {format!r}.")
     humanoid = robot if isinstance(robot, Humanoid) else Humanoid(robot)
+    # Both may be iterators; one name alone is an error.
+    joints, bodies = (names if names is None or isinstance(names, str) else list(names) for names in (joints, bodies))
     chosen(humanoid, joints, bodies)
-    # Both may be iterators.
-    joints, bodies = (None if names is None else list(names) for names in (joints, bodies))
     wishes, text = settings(**options), toml(table)
     # A clip that is given twice, by other paths to it as well, is one.
     paths = {Path(os.path.abspath(path)): path for path in reversed(found)}
