@@ -134,11 +134,13 @@ fn fault(error: &PackedError, frames: &[Frames], joints: usize, bad_key: &Output
 
 /// Packs clips of one skeleton into a file, which dq8_clips_make reads. `clips` holds `clip_count`
 /// clips of `joint_count` joints. The file takes about a quarter of the memory of the frames. A
-/// rotation is kept to about 5e-5 radians, and a translation to 1/65534 of the longest side of the
-/// box in which its joint moves in all clips.
+/// rotation is off by at most 5.4e-5 radians, and each coordinate of a translation by at most
+/// 1/131068 of the longest side of the box in which its joint moves in all clips, and by the
+/// rounding of floats.
 ///
-/// A joint that turns by less than `angle` radians in a clip is kept as a single rotation, and one
-/// that moves by less than `length_tolerance` as a single translation: 2e-5 and 1e-5 suit metres.
+/// The rotations of a joint in a clip that are all within `angle` radians of the first are kept as
+/// the first alone, and its translations that are all within `length_tolerance` of the first along
+/// each axis likewise, so they are off by up to this limit more: 2e-5 and 1e-5 suit metres.
 /// `bytes` has room for `capacity` bytes, and `length` gets the length of the file. If `capacity`
 /// is 0, only `length` is written. dq8_clips_bound tells enough room for less time.
 ///

@@ -62,7 +62,7 @@ fn main() -> ExitCode {
 fn run(args: &Args) -> Result<(), Box<dyn Error>> {
     let paths = || args.json.iter().chain(&args.svg).chain(&args.md).map(|path| path.as_path());
     // Minutes before they are needed: a path that cannot be written is better known now.
-    let outputs = Outputs::open(paths(), None)?;
+    let outputs = Outputs::open(paths(), [])?;
     let caches = Caches::of_this_machine();
     let tasks = plan::plan(args.quick, &args.jobs);
     let effort = if args.quick { QUICK } else { WHOLE };

@@ -15,14 +15,14 @@ pub struct Outputs<'a> {
 }
 
 impl<'a> Outputs<'a> {
-    /// Opens all files or none. `input` is a file that must not be overwritten.
-    pub fn open(
+    /// Opens all files or none. `inputs` are files that must not be overwritten.
+    pub fn open<'i>(
         paths: impl IntoIterator<Item = &'a Path>,
-        input: Option<&Path>,
+        inputs: impl IntoIterator<Item = &'i Path>,
     ) -> Result<Self, String> {
         let mut outputs = Self { files: Vec::new(), created: Vec::new() };
         let mut taken: Vec<PathBuf> =
-            input.and_then(|path| fs::canonicalize(path).ok()).into_iter().collect();
+            inputs.into_iter().filter_map(|path| fs::canonicalize(path).ok()).collect();
         for path in paths {
             let exists = path.exists();
             let mut options = OpenOptions::new();
@@ -35,7 +35,7 @@ impl<'a> Outputs<'a> {
             // taken as it is.
             let name = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
             if taken.contains(&name) {
-                return Err(fails(path)(io::Error::other("it is the input or another output")));
+                return Err(fails(path)(io::Error::other("it is an input or another output")));
             }
             taken.push(name);
             outputs.files.push((path, file));
@@ -65,10 +65,14 @@ impl Drop for Outputs<'_> {
     }
 }
 
-/// Writes all files or none, and says so. `input` is a file that must not be overwritten.
-pub fn write(files: &[(&Path, Vec<u8>)], input: Option<&Path>) -> Result<(), Box<dyn Error>> {
+/// Writes all files or none, and prints their names. `inputs` are files that must not be
+/// overwritten.
+pub fn write<'i>(
+    files: &[(&Path, Vec<u8>)],
+    inputs: impl IntoIterator<Item = &'i Path>,
+) -> Result<(), Box<dyn Error>> {
     let texts: Vec<_> = files.iter().map(|(_, text)| text).collect();
-    Outputs::open(files.iter().map(|&(path, _)| path), input)?.write(&texts)?;
+    Outputs::open(files.iter().map(|&(path, _)| path), inputs)?.write(&texts)?;
     files.iter().try_for_each(|(path, _)| print(&format!("  wrote {}\n", path.display())))
 }
 
@@ -114,14 +118,20 @@ mod tests {
     }
 
     #[test]
-    fn the_input_and_an_output_are_not_overwritten_by_another() {
+    fn inputs_and_an_output_are_not_overwritten_by_another() {
         let directory = directory("twice");
-        let [input, output] = ["clip.bvh", "out"].map(|name| directory.join(name));
-        fs::write(&input, "the clip").unwrap();
-        assert!(write(&[(&input, "text".into())], Some(&input)).is_err());
-        assert_eq!(fs::read_to_string(&input).unwrap(), "the clip");
+        let [clip, robot, output] =
+            ["clip.bvh", "robot.urdf", "out"].map(|name| directory.join(name));
+        let inputs = || [clip.as_path(), robot.as_path()];
+        for input in inputs() {
+            fs::write(input, "the input").unwrap();
+        }
+        for input in inputs() {
+            assert!(write(&[(&output, "a".into()), (input, "b".into())], inputs()).is_err());
+            assert_eq!(fs::read_to_string(input).unwrap(), "the input");
+        }
         let same = directory.join(".").join("out");
-        assert!(write(&[(&output, "a".into()), (&same, "b".into())], Some(&input)).is_err());
+        assert!(write(&[(&output, "a".into()), (&same, "b".into())], inputs()).is_err());
         assert!(!output.exists());
         fs::remove_dir_all(directory).unwrap();
     }

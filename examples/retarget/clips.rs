@@ -4,7 +4,7 @@ use crate::{csv, hint};
 use dq8_retarget::{Humanoid, Person, Report, Settings, retarget};
 use mocap::command::print;
 use mocap::output::Outputs;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -23,6 +23,8 @@ pub(crate) struct Clips<'a> {
     pub(crate) settings: &'a Settings,
     /// The folder of the results.
     pub(crate) out: &'a Path,
+    /// Files that no result may replace, as the robot and the table of names; clips are not listed.
+    pub(crate) inputs: &'a [&'a Path],
 }
 
 /// The measures of a clip, and its number of frames.
@@ -35,10 +37,11 @@ impl Clips<'_> {
         let clips = files(paths)?;
         fs::create_dir_all(self.out)
             .map_err(|error| format!("cannot make {}: {error}", self.out.display()))?;
+        self.check(&clips)?;
         let clock = Instant::now();
         let rows = self.rows(&clips, jobs);
         let seconds = clock.elapsed().as_secs_f64();
-        let path = self.out.join(format!("{TABLE}.csv"));
+        let path = self.result(TABLE);
         write(&path, &table(&rows))?;
         let frames: usize = rows.values().flatten().map(|row| row.0).sum();
         print(&format!(
@@ -52,6 +55,25 @@ impl Clips<'_> {
         }
     }
 
+    /// The file of a clip's joint values, or of the table.
+    fn result(&self, name: &str) -> PathBuf {
+        self.out.join(format!("{name}.csv"))
+    }
+
+    /// Whether no result would replace a file that is read. This is asked before any file is
+    /// written, and of all files once, because each may be the result of any clip.
+    fn check(&self, clips: &BTreeMap<String, PathBuf>) -> Result<(), String> {
+        let read = self.inputs.iter().copied().chain(clips.values().map(PathBuf::as_path));
+        let read: BTreeSet<_> = read.filter_map(|path| fs::canonicalize(path).ok()).collect();
+        let names = clips.keys().map(String::as_str).chain([TABLE]);
+        let replaces =
+            |path: &PathBuf| fs::canonicalize(path).is_ok_and(|path| read.contains(&path));
+        names
+            .map(|name| self.result(name))
+            .find(replaces)
+            .map_or(Ok(()), |path| Err(format!("cannot write {}: it is an input", path.display())))
+    }
+
     fn rows(&self, clips: &BTreeMap<String, PathBuf>, jobs: usize) -> Rows {
         let mut queue: Vec<_> = clips.iter().collect();
         // The longest first, so that no thread is left alone with a long one at the end.
@@ -61,7 +83,7 @@ impl Clips<'_> {
         let (next, rows) = (AtomicUsize::new(0), Mutex::new(Rows::new()));
         let work = || {
             while let Some((name, path)) = queue.get(next.fetch_add(1, Ordering::Relaxed)) {
-                let row = self.row(name, path).map_err(|error| error.to_string());
+                let row = self.row(name, path).map_err(|error| self.without_result(name, &*error));
                 match &row {
                     Ok((frames, report)) => {
                         let residual = report.residual;
@@ -93,8 +115,20 @@ impl Clips<'_> {
         }
         let motion = retarget(&person, self.humanoid, self.settings).map_err(hint)?;
         let text = csv(self.humanoid, &motion.values, motion.step)?;
-        write(&self.out.join(format!("{name}.csv")), &text)?;
+        write(&self.result(name), &text)?;
         Ok((motion.contacts.len(), motion.report))
+    }
+
+    /// The sentence of an error, after the joint values that an earlier run has written for the
+    /// clip have been removed: they would be taken for those of this run.
+    fn without_result(&self, name: &str, error: &dyn Error) -> String {
+        let path = self.result(name);
+        match path.is_file().then(|| fs::remove_file(&path)) {
+            Some(Err(reason)) => {
+                format!("{error}; cannot remove {} of an earlier run: {reason}", path.display())
+            }
+            _ => error.to_string(),
+        }
     }
 }
 
@@ -110,8 +144,10 @@ fn files(paths: &[PathBuf]) -> Result<BTreeMap<String, PathBuf>, Box<dyn Error>>
             let cannot = |error| format!("cannot read {}: {error}", path.display());
             let entries = fs::read_dir(path).map_err(cannot)?;
             let all: Result<Vec<_>, _> = entries.map(|entry| entry.map(|it| it.path())).collect();
+            // Files that cannot be looked at are kept, so that they are named as errors.
             let is_clip = |path: &PathBuf| {
                 path.extension().is_some_and(|end| end.eq_ignore_ascii_case("bvh"))
+                    && fs::metadata(path).map_or(true, |found| found.is_file())
             };
             found = all.map_err(cannot)?.into_iter().filter(is_clip).collect();
             if found.is_empty() {
@@ -155,5 +191,6 @@ fn table(rows: &Rows) -> String {
 }
 
 fn write(path: &Path, text: &str) -> Result<(), String> {
-    Outputs::open([path], None)?.write(&[text])
+    // `Clips::check` has compared the path with the inputs.
+    Outputs::open([path], [])?.write(&[text])
 }

@@ -72,6 +72,13 @@ struct Args {
     targets: Option<PathBuf>,
 }
 
+impl Args {
+    /// The files that are read, other than clips: the robot and the table of names.
+    fn files(&self) -> impl Iterator<Item = &Path> {
+        [Some(&self.robot), self.map.as_ref()].into_iter().flatten().map(|path| path.as_path())
+    }
+}
+
 fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Request<Args>, String> {
     let options = [
         "--map",
@@ -160,8 +167,9 @@ fn run(args: &Args) -> Result<(), Box<dyn Error>> {
     let humanoid = Humanoid::from_bytes(&file(&args.robot)?, table.as_deref())?;
     if let Some((out, jobs)) = &args.out {
         print(&humanoid.to_string())?;
-        let table = table.as_deref();
-        return Clips { humanoid: &humanoid, table, settings: &args.settings, out }
+        let (table, settings) = (table.as_deref(), &args.settings);
+        let inputs: Vec<_> = args.files().collect();
+        return Clips { humanoid: &humanoid, table, settings, out, inputs: &inputs }
             .run(&args.clips, *jobs);
     }
     let clip = &args.clips[0];
@@ -195,7 +203,7 @@ fn run(args: &Args) -> Result<(), Box<dyn Error>> {
             texts.push((path, page::html(&title, &figures, &motion.report).into()));
         }
     }
-    output::write(&texts, Some(clip))
+    output::write(&texts, args.files().chain([clip.as_path()]))
 }
 
 /// The error, with the option that helps.

@@ -1,12 +1,13 @@
 //! The embedded biped on the repository's humanoid.
 
 use crate::clips::Clips;
-use crate::{Args, csv, goals, heading, page, parse, picture, track};
+use crate::{Args, csv, goals, heading, page, parse, picture, run, track};
 use dq8_fixtures::legible::illegible;
 use dq8_retarget::{Humanoid, Motion, Person, Settings, Targets, retarget};
 use mocap::biped;
 use mocap::command::Request;
 use mocap::svg::{self, Figure};
+use std::ffi::OsString;
 use std::fs;
 use std::path::PathBuf;
 
@@ -167,7 +168,8 @@ fn a_bad_clip_does_not_end_the_others_and_is_named() {
     }
     let humanoid = Humanoid::from_urdf(HUMANOID).unwrap();
     let settings = Settings::default();
-    let work = Clips { humanoid: &humanoid, table: None, settings: &settings, out: &out };
+    let work =
+        Clips { humanoid: &humanoid, table: None, settings: &settings, out: &out, inputs: &[] };
     let mut before = None;
     for jobs in [1, 2, 9] {
         let error = work.run(std::slice::from_ref(&clips), jobs).unwrap_err().to_string();
@@ -194,6 +196,66 @@ fn a_bad_clip_does_not_end_the_others_and_is_named() {
     ] {
         let error = work.run(&paths, 1).unwrap_err().to_string();
         assert!(error.contains(said), "{error}");
+    }
+    fs::remove_dir_all(folder).unwrap();
+}
+
+#[test]
+fn a_folder_gives_its_files_and_a_clip_that_fails_has_no_result() {
+    let folder = std::env::temp_dir().join(format!("dq8-retarget-files-{}", std::process::id()));
+    let (clips, out) = (folder.join("clips"), folder.join("results"));
+    fs::create_dir_all(clips.join("folder.bvh")).unwrap();
+    fs::create_dir_all(&out).unwrap();
+    fs::write(clips.join("a.bvh"), "HIERARCHY\n").unwrap();
+    #[cfg(unix)]
+    {
+        std::os::unix::fs::symlink(folder.join("gone"), clips.join("link.bvh")).unwrap();
+        // A pipe would be waited for without end.
+        let made = std::process::Command::new("mkfifo").arg(clips.join("pipe.bvh")).status();
+        assert!(made.unwrap().success());
+    }
+    for name in ["a.csv", "other.csv"] {
+        fs::write(out.join(name), "of an earlier run").unwrap();
+    }
+    let humanoid = Humanoid::from_urdf(HUMANOID).unwrap();
+    let settings = Settings::default();
+    let work =
+        Clips { humanoid: &humanoid, table: None, settings: &settings, out: &out, inputs: &[] };
+    let error = work.run(std::slice::from_ref(&clips), 1).unwrap_err().to_string();
+    let failed = if cfg!(unix) { 2 } else { 1 };
+    assert_eq!(error, format!("{failed} of {failed} clips failed"));
+    assert_eq!(fs::read_to_string(out.join("measures.csv")).unwrap().lines().count(), 1 + failed);
+    assert!(!out.join("a.csv").exists());
+    assert!(out.join("other.csv").exists());
+    fs::remove_dir_all(folder).unwrap();
+}
+
+#[test]
+fn no_result_replaces_a_file_that_is_read() {
+    let folder = std::env::temp_dir().join(format!("dq8-retarget-inputs-{}", std::process::id()));
+    fs::create_dir_all(folder.join("clips")).unwrap();
+    let [robot, map] = ["robot.urdf", "map.toml"].map(|name| folder.join(name));
+    let [clip, same, table] = ["clips/w.bvh", "w.csv", "measures.csv"].map(|n| folder.join(n));
+    let walk = include_str!("../mocap/walk.bvh");
+    let inputs = [(&robot, HUMANOID), (&map, ""), (&clip, walk), (&same, walk), (&table, HUMANOID)];
+    for (path, text) in inputs {
+        fs::write(path, text).unwrap();
+    }
+    let word = |path: &PathBuf| path.clone().into_os_string();
+    let refuses = |words: Vec<OsString>| {
+        let Ok(Request::Run(args)) = parse(words) else { panic!("not understood") };
+        let error = run(&args).unwrap_err().to_string();
+        assert!(error.contains("is an input"), "{error}");
+        for (path, text) in inputs {
+            assert_eq!(fs::read_to_string(path).unwrap(), text, "{}", path.display());
+        }
+    };
+    let many = |robot, clip| vec![word(robot), word(clip), "--out".into(), word(&folder)];
+    refuses(many(&robot, &same));
+    refuses(many(&table, &clip));
+    for path in [&robot, &map, &clip] {
+        let line = [word(&robot), word(&clip), "--map".into(), word(&map), "--html".into()];
+        refuses(line.into_iter().chain([word(path)]).collect());
     }
     fs::remove_dir_all(folder).unwrap();
 }

@@ -60,15 +60,21 @@ brief!([] PackedClip: PackedClip |it| {
     joints: it.clips().joints(), clips: it.clips().clips(), bytes: it.as_bytes().len(),
 });
 
-/// The limits of packing: a track that changes within a clip by no more than its limit is kept as a
-/// single key.
+/// The limits of packing: a track of a clip whose frames all lie within its limit of the first
+/// frame is kept as a single key, that of the first frame.
+///
+/// A frame of such a track is off by at most its limit plus the error of a key, which
+/// [`PackedClip::library`] states. A joint that moves along no axis by more than `length` in all
+/// clips has no key for its translation, but the middle of its box, and is off by half of `length`
+/// along each axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance {
     /// The limit for a rotation track, an angle in radians. The default is 2·10⁻⁵, which is
-    /// less than the error of a key of 16 bits.
+    /// less than the error of a key of 16 bits. An angle a is measured as 4 sin(a/4), which is
+    /// 0.1 % less than 0.3 radians.
     pub angle: f32,
-    /// The limit for a translation track, a length in the unit of translations. The default is
-    /// 10⁻⁵; in metres this is a hundredth of a millimetre.
+    /// The limit for a translation track, a length along each axis in the unit of translations. The
+    /// default is 10⁻⁵; in metres this is a hundredth of a millimetre.
     pub length: f32,
 }
 
@@ -109,6 +115,10 @@ impl PackedClip {
     /// Packs many clips of one skeleton. The clips share one scale of translations for each joint,
     /// whose step is 1/65534 of the longest side of the box in which the joint moves in all clips.
     /// A root that walks far is better left out of the clips and given as the root of a job.
+    ///
+    /// At frames, a rotation is off by at most 5.4·10⁻⁵ radians, and a translation along each
+    /// axis by half a step and the rounding of `f32`. Tracks that are kept as a single key are off
+    /// by up to the limit of their [`Tolerance`] more.
     ///
     /// # Errors
     /// The errors of [`new`](Self::new); if `clips` is empty, or a clip has another number of
@@ -436,8 +446,13 @@ fn track(
 }
 
 /// Returns the key whose direction is nearest to that of a unit quaternion. The length of a key has
-/// no meaning, so the function tries several lengths a little below 32767. The best of them halves
-/// the rounding error of the direction.
+/// no meaning, so the function tries several lengths a little below 32767, from which the direction
+/// is rounded best.
+///
+/// The bound of the error: lengths differ by 0.1875, and the largest number by no more, so that one
+/// of the lengths brings this number within 3/32 of an integer. The other three are off by at most
+/// 1/2. So the angle of the rotation is off by at most 2 √(3/4 + 9/1024) / 32764.19 =
+/// 5.32·10⁻⁵.
 fn nearest(unit: [f64; 4]) -> [i16; 4] {
     let key = |turn: u8| unit.map(|c| round((ONE - 0.1875 * f64::from(turn)) * c));
     let off = |key: [i16; 4]| {

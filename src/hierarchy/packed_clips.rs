@@ -550,7 +550,7 @@ errors! {
         }
             => "joint {joint} in frame {frame} of clip {clip} is at {value}, which no range of translations holds";
         /// There are more keys than 32 bits count, or more tracks than 15 bits count.
-        TooLarge => "the clips have more keys than 32 bits count, or more tracks than 15 bits";
+        TooLarge => "the clips have more keys than 32 bits count, or more tracks than 15 bits count";
         /// The bytes are not a packed clip file of this version.
         Bytes { offset: usize = "The first byte that is wrong.", what: &'static str = "A phrase that says what is wrong there." }
             => "not a packed clip file: {what} at byte {offset}";

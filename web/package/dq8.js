@@ -66,7 +66,7 @@ export class Dq8 {
   skeleton(parents) {
     return new Skeleton(this.#module, parents);
   }
-  /** Packed clips of bytes that dq8/pack, Rust or Python wrote, copied. */
+  /** Packed clips, of bytes that dq8/pack, Rust, C or Python wrote, copied. */
   packedClip(bytes) {
     return new PackedClip(this.#module, bytes);
   }

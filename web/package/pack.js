@@ -18,10 +18,10 @@ const FAULTS = {
   1: [3, (at, x) => `${at} has a rotation of length ${x}, not 1`],
   2: [3, (at, x) => `${at} is at ${x}, which no range of translations holds`],
   3: [1, (at, x) => `${at} has ${x} frames a second, which must be a positive number of 32 bits`],
-  4: [0, () => "the clips have more keys than 32 bits count, or more tracks than 15 bits"],
+  4: [0, () => "the clips have more keys than 32 bits count, or more tracks than 15 bits count"],
 };
 
-/** Poses that no packed clip holds. */
+/** Clips that the format of packed clips does not hold. The declarations list the reasons. */
 export class PackError extends Error {
   constructor([fault, ...numbers]) {
     const [count, text] = FAULTS[fault] ?? [0, () => "the clips cannot be packed"],
@@ -35,16 +35,31 @@ export class PackError extends Error {
   }
 }
 
-/** What Rust is told of a clip: how many keys it has, its rate, and whether it loops. */
-function head(joints, { keys, rate = 1, loops = false } = {}, clip) {
-  const name = `clips[${clip}].keys`,
-    length = keys?.length;
-  if (length === undefined) throw new TypeError(`${name} is ${keys === undefined ? "missing" : "no array"}`);
-  if (length === 0 || length % (7 * joints)) {
+/** A number that fits. */
+function number(name, value, fits, kind) {
+  if (typeof value !== "number") throw new TypeError(`${name} is ${value}, not a ${kind}`);
+  if (!fits || value === Infinity) throw new RangeError(`${name} is ${value}, not a ${kind}`);
+  return value;
+}
+
+/** A value that is an object, of the kind that is needed. */
+function object(name, value, kind = "object", fits = true) {
+  if (fits && typeof value === "object" && value) return value;
+  throw new TypeError(`${name} is ${value === undefined ? "missing" : `no ${kind}`}`);
+}
+
+/** The keys of a clip, and its head for Rust: the number of keys, the rate, and 1 if the clip loops. */
+function read(joints, clip, index) {
+  const { keys, rate = 1, loops } = object(`clips[${index}]`, clip),
+    name = `clips[${index}].keys`;
+  // Arrays of dq8 have a length, too, and their numbers in `view`.
+  const fits = !(keys instanceof Numbers) && (keys?.length === 0 || typeof keys?.[0] === "number"),
+    { length } = object(name, keys, "array of numbers", fits);
+  if (length === 0) throw new RangeError(`${name} is empty, or a view from before memory has grown`);
+  if (length % (7 * joints)) {
     throw new RangeError(`${name} holds ${length} numbers, which is not a multiple of ${7 * joints}, seven a joint`);
   }
-  if (!(rate > 0 && rate < Infinity)) throw new RangeError(`clips[${clip}].rate is ${rate}, not a positive number`);
-  return [length / 7, rate, +loops];
+  return { keys, head: [length / 7, number(`clips[${index}].rate`, rate, rate > 0, "positive number"), +!!loops] };
 }
 
 export class Packer {
@@ -53,12 +68,15 @@ export class Packer {
     this.#module = new Module(raw, "pack");
   }
   /** The bytes of clips of one skeleton, each of keys [frame][joint][x y z w tx ty tz]. */
-  pack(joints, clips, { angle = 2e-5, length = 1e-5 } = {}) {
-    if (count("joints", joints) === 0) throw new RangeError("joints is 0: a clip has a joint at least");
-    if (!Array.isArray(clips)) throw new TypeError(`clips is ${clips === undefined ? "missing" : "no array"}`);
+  pack(joints, clips, limits = {}) {
+    if (count("joints", joints) === 0) throw new RangeError("joints is 0");
+    object("clips", clips, "array", Array.isArray(clips));
     if (clips.length === 0) throw new RangeError("clips is empty");
+    const { angle = 2e-5, length = 1e-5 } = object("limits", limits);
     for (const [name, limit] of Object.entries({ angle, length }))
-      if (!(limit >= 0 && limit < Infinity)) throw new RangeError(`${name} is ${limit}, not a number from 0 on`);
+      number(`limits.${name}`, limit, limit >= 0, "number from 0 on");
+    // Not `map`, which passes over holes of the array.
+    const all = Array.from(clips, (clip, index) => read(joints, clip, index));
     const m = this.#module,
       { raw } = m,
       made = [];
@@ -68,16 +86,16 @@ export class Packer {
       return numbers;
     };
     try {
-      const heads = array(Float64Array, clips.flatMap((clip, i) => head(joints, clip, i)));
-      const keys = array(Float32Array, clips.reduce((sum, { keys }) => sum + keys.length, 0)),
+      const heads = array(Float64Array, all.flatMap(({ head }) => head)),
+        keys = array(Float32Array, all.reduce((sum, { keys }) => sum + keys.length, 0)),
         fault = array(Float64Array, 5);
       let end = 0;
-      for (const clip of clips) {
+      for (const clip of all) {
         keys.view.set(clip.keys, end);
         end += clip.keys.length;
       }
-      const places = [heads.view.byteOffset, clips.length, keys.view.byteOffset, end / 7, fault.view.byteOffset, 1];
-      const packed = raw.dq8_pack(joints, angle, length, ...places);
+      const at = (numbers) => numbers.view.byteOffset,
+        packed = raw.dq8_pack(joints, angle, length, at(heads), all.length, at(keys), end / 7, at(fault), 1);
       if (packed === 0) throw new PackError(fault.view);
       try {
         return new Uint8Array(raw.memory.buffer, raw.dq8_packed_bytes(packed) >>> 0, raw.dq8_packed_length(packed))

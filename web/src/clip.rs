@@ -1,7 +1,8 @@
 //! Clips, and poses sampled from them, one over the other.
 
 use crate::Motion;
-use crate::memory::{exports, frees, made, slice};
+use crate::error::made;
+use crate::memory::{exports, frees, slice};
 use dq8::ShapeError;
 use dq8::hierarchy::{
     Either, Frames, Layered, OwnedClip, PackedClip, Playback, RotationsTranslations, Sampled,

@@ -1,7 +1,8 @@
 //! Crowds: poses in blocks of four instances, the quickest form where nothing else wants them
 //! plain.
 
-use crate::memory::{exports, frees, status};
+use crate::error::status;
+use crate::memory::{exports, frees};
 use crate::skeleton::{Rig, model_palette};
 use crate::{Columns, Motion};
 use dq8::Crowd;

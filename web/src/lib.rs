@@ -2,7 +2,7 @@
 //! memory. `package/` is the only caller; it hands out no place, and so no page can pass a wrong
 //! one.
 //!
-//! A function returns 0, or another number when it failed, and then [`memory::dq8_error`] is the
+//! A function returns 0, or another number when it failed, and then [`error::dq8_error`] is the
 //! text of the error. The C interface is no border for this: it tells errors by numbers alone, has
 //! no clips, and leaves the memory of skins and robots to callers, who could write there what has
 //! been checked.
@@ -11,6 +11,8 @@
 mod clip;
 #[cfg(feature = "skeletons")]
 mod crowd;
+#[cfg(any(feature = "skeletons", feature = "robots"))]
+mod error;
 #[cfg(feature = "skeletons")]
 mod limb;
 mod memory;

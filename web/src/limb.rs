@@ -2,7 +2,8 @@
 //! turned.
 
 use crate::Motion;
-use crate::memory::{exports, status};
+use crate::error::status;
+use crate::memory::exports;
 use crate::skeleton::Rig;
 use dq8::batch::vector::{add, sub};
 use dq8::ik::TwoBone;

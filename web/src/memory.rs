@@ -1,33 +1,6 @@
-//! What is true of all functions here: places become slices, errors become a text.
+//! What is true of all functions here: places become slices.
 
-use std::cell::RefCell;
-#[cfg(any(feature = "skeletons", feature = "robots"))]
-use std::fmt::Display;
 use std::slice;
-
-thread_local!(static ERROR: RefCell<String> = const { RefCell::new(String::new()) });
-
-/// 0, or 1 and the text of the error.
-#[cfg(any(feature = "skeletons", feature = "robots"))]
-pub(crate) fn status<E: Display>(result: Result<(), E>) -> u32 {
-    result.map_or_else(|error| failed(error, 1), |()| 0)
-}
-
-/// `code`, after the text has been kept.
-#[cfg(any(feature = "skeletons", feature = "robots"))]
-pub(crate) fn failed<E: Display, C>(error: E, code: C) -> C {
-    ERROR.with_borrow_mut(|text| *text = error.to_string());
-    code
-}
-
-/// What has been made, for JavaScript to keep; null after an error.
-#[cfg(any(feature = "skeletons", feature = "robots"))]
-pub(crate) fn made<T, E: Display>(result: Result<T, E>) -> *mut T {
-    result.map_or_else(
-        |error| failed(error, std::ptr::null_mut()),
-        |thing| Box::into_raw(Box::new(thing)),
-    )
-}
 
 /// # Safety
 /// So many things are there, or `count` is 0.
@@ -85,14 +58,3 @@ macro_rules! frees {
     )*};
 }
 pub(crate) use frees;
-
-/// The text of the last error.
-#[unsafe(no_mangle)]
-extern "C" fn dq8_error() -> *const u8 {
-    ERROR.with_borrow(|text| text.as_ptr())
-}
-
-#[unsafe(no_mangle)]
-extern "C" fn dq8_error_length() -> usize {
-    ERROR.with_borrow(String::len)
-}

@@ -1,6 +1,7 @@
 //! Arrays of motions and of points.
 
-use crate::memory::{exports, status};
+use crate::error::status;
+use crate::memory::exports;
 use crate::{Columns, Motion};
 use dq8::hierarchy::MatrixOrder;
 use dq8::{Backend, Quat, ShapeError};

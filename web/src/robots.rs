@@ -1,7 +1,8 @@
 //! Robots of URDF files. The only file that knows where robots come from.
 
 use crate::Motion;
-use crate::memory::{exports, frees, made, status};
+use crate::error::{made, status};
+use crate::memory::{exports, frees};
 use dq8::ShapeError;
 use dq8_robot::ik::{Goal, Options, OwnedReach, Report, SixAxisArm, Solutions};
 use dq8_robot::urdf::{ChangeError, Robot as Urdf};

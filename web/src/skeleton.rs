@@ -1,7 +1,8 @@
 //! Skeletons: model poses and palettes of any number of instances.
 
 use crate::clip::{Places, Source};
-use crate::memory::{exports, frees, made, slice, status};
+use crate::error::{made, status};
+use crate::memory::{exports, frees, slice};
 use crate::motions::to_rotations_translations;
 use crate::{Columns, Motion};
 use dq8::hierarchy::{MatrixOrder, Poses, Root};

@@ -1,7 +1,8 @@
 //! Meshes that follow joints.
 
 use crate::Motion;
-use crate::memory::{exports, frees, made, slice, slice_mut, status};
+use crate::error::{made, status};
+use crate::memory::{exports, frees, slice, slice_mut};
 use dq8::hierarchy::MatrixOrder;
 use dq8::skinning::{Blender, DualBlend, Linear, Mixed, Skin, SkinningError, Surface, SurfaceMut};
 use dq8::{Backend, ShapeError};

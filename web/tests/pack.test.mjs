@@ -14,8 +14,14 @@ const KEYS = Float32Array.from({ length: 7 * JOINTS * FRAMES }, (_, i) => {
   if (c < 4) return [0, Math.sin(half), 0, Math.cos(half)][c];
   return c === 4 && joint === 0 ? (4 * frame) / (FRAMES - 1) : 0.25;
 });
-/** Of a rotation, in radians, and of a translation along a side of four units. */
-const [ANGLE, LENGTH] = [4e-5, 4 / 131068 + 1e-7];
+/**
+ * The bound of a rotation, in radians. Of the sixteen lengths of a key, 32767 to 32764.19, one brings the largest
+ * number within 3/32 of an integer, and the other three are off by 1/2 at most: 2 √(3/4 + 9/1024) / 32764.19 is
+ * 5.318e-5. The rest of the bound is for the rounding of 32-bit numbers.
+ */
+const ANGLE = 5.4e-5;
+/** The bound of a coordinate along a side of four units. */
+const LENGTH = 4 / 131068 + 1e-7;
 
 let dq8, packer;
 before(async () => {
@@ -30,6 +36,40 @@ const fails = (call, name, text) => {
     return true;
   });
   return found;
+};
+/** The angle between two rotations at a place of two arrays of keys, in radians. */
+const angle = (a, b, at) => {
+  const quaternions = [a, b].map((keys) => Array.from(keys.slice(at, at + 4)).map(Number)),
+    [one, two] = quaternions.map((q) => q.map((x) => x / Math.hypot(...q))),
+    side = Math.sign(one.reduce((sum, x, c) => sum + x * two[c], 0));
+  return 4 * Math.asin(Math.hypot(...one.map((x, c) => x - side * two[c])) / 2);
+};
+/** The keys that a clip of packed bytes plays at its frames. */
+const played = (bytes, parents, frames, clip = 0) => {
+  const at = dq8.floats(Array.from({ length: frames }, (_, frame) => frame)),
+    motions = dq8.motions(parents.length * frames),
+    keys = dq8.floats(7 * parents.length * frames);
+  dq8.skeleton(parents).locals(dq8.packedClip(bytes).sample(at, clip), motions);
+  dq8.toRotationsTranslations(motions, keys);
+  return keys.view.slice();
+};
+/** Numbers from 0 to 1, the same in each run. */
+let state = 1;
+const random = () => (state = (state * 48271) % 2147483647) / 2147483647;
+/** A direction of so many numbers, by refusing what lies outside of the ball. */
+const direction = (n) => {
+  for (;;) {
+    const x = Array.from({ length: n }, () => 2 * random() - 1),
+      size = Math.hypot(...x);
+    if (size > 0.1 && size < 1) return x.map((c) => c / size);
+  }
+};
+/** The rotation about an axis, times a rotation. */
+const turned = (axis, size, [x, y, z, w]) => {
+  const [a, b, c] = axis.map((i) => i * Math.sin(size / 2)),
+    d = Math.cos(size / 2);
+  return [d * x + a * w + b * z - c * y, d * y - a * z + b * w + c * x, d * z + a * y - b * x + c * w,
+    d * w - a * x - b * y - c * z];
 };
 const changed = (at, value) => {
   const keys = KEYS.slice();
@@ -53,8 +93,8 @@ test("packed clips play as their keys do, within the bounds, in a quarter of the
   [plain, packed].forEach((motions, i) => dq8.toRotationsTranslations(motions, poses[i]));
   const [wanted, got] = poses.map(({ view }) => view);
   for (let i = 0; i < wanted.length; i += 7) {
-    const chord = Math.hypot(...[0, 1, 2, 3].map((c) => wanted[i + c] - got[i + c]));
-    assert.ok(2 * chord <= ANGLE, `${2 * chord} radians at ${i}`);
+    const turn = angle(wanted, got, i);
+    assert.ok(turn <= ANGLE, `${turn} radians at ${i}`);
     for (let c = 4; c < 7; c++) assert.ok(Math.abs(wanted[i + c] - got[i + c]) <= LENGTH, `${wanted[i + c]} at ${i}`);
   }
   // The second loops, the first is held at its end.
@@ -65,6 +105,58 @@ test("packed clips play as their keys do, within the bounds, in a quarter of the
   ends[0].view.forEach((x, i) => assert.ok(Math.abs(x - ends[1].view[i]) < 1e-4));
   skeleton.locals(library.sample(late, 0), ends[0]);
   assert.ok(Math.abs(ends[0].view[4] - 2) < 1e-3);
+});
+
+test("rotations about all axes are within the bound, which the worst of them nearly reach", () => {
+  const frames = 2000,
+    still = [0, 0, 0];
+  const anywhere = () => Float32Array.from(Array.from({ length: frames }, () => [...direction(4), ...still]).flat());
+  // Three numbers that all lengths of a key leave half way between two integers.
+  const between = Float32Array.from(Array.from({ length: 27 }, (_, i) => {
+    const small = [i % 3, Math.floor(i / 3) % 3, Math.floor(i / 9)].map((n) => (n + 0.5) / 32765.6);
+    return [...small, Math.sqrt(1 - Math.hypot(...small) ** 2), ...still];
+  }).flat());
+  const clips = [anywhere(), between, anywhere()],
+    bytes = packer.pack(1, clips.map((keys) => ({ keys })), { angle: 0 });
+  const worst = clips.map((keys, clip) => {
+    const got = played(bytes, [-1], keys.length / 7, clip);
+    return Math.max(...Array.from({ length: keys.length / 7 }, (_, frame) => angle(keys, got, 7 * frame)));
+  });
+  assert.ok(Math.max(...worst) <= ANGLE, `${worst} radians`);
+  assert.ok(worst[1] > 5.2e-5 && worst[0] > 4e-5, `${worst} radians`);
+});
+
+test("tracks within limits are one key, and off by no more than limit and bound", () => {
+  const frames = 50,
+    limits = { angle: 0.01, length: 0.02 };
+  // In both clips the first joint turns and moves about a place of its own, within limits of the first frame. The
+  // clips are far apart for it. The second joint moves along no axis by more than the limit.
+  const clip = (far) => {
+    const start = direction(4);
+    return Array.from({ length: frames }, (_, frame) => {
+      const turn = turned(direction(3), frame ? 0.999 * limits.angle * Math.sqrt(random()) : 0, start),
+        shift = () => far + (frame ? 0.999 * limits.length * (2 * random() - 1) : 0);
+      return [...turn, shift(), shift(), shift(), 0, 0, 0, 1, ...[0, 0, 0].map(() => 0.999 * limits.length * random())];
+    }).flat();
+  };
+  const clips = [clip(0), clip(1), clip(3)].map((keys) => Float32Array.from(keys)),
+    bytes = packer.pack(2, clips.map((keys) => ({ keys })), limits),
+    worst = [0, 0, 0];
+  // Rotations of two joints and a translation of one, in each of three clips.
+  const one = packer.pack(2, [{ keys: clips[0] }], limits);
+  assert.equal(bytes.length - one.length, 2 * (3 * 8 + 16 + 12));
+  clips.forEach((keys, number) => {
+    const got = played(bytes, [-1, -1], frames, number);
+    for (let at = 0; at < keys.length; at += 14) {
+      worst[0] = Math.max(worst[0], angle(keys, got, at));
+      for (let c = 4; c < 7; c++) {
+        worst[1] = Math.max(worst[1], Math.abs(keys[at + c] - got[at + c]));
+        worst[2] = Math.max(worst[2], Math.abs(keys[at + 7 + c] - got[at + 7 + c]));
+      }
+    }
+  });
+  const bounds = [limits.angle + ANGLE, limits.length + 3.04 / 131068 + 1e-6, limits.length / 2 + 1e-6];
+  worst.forEach((off, i) => assert.ok(off <= bounds[i] && off > 0.9 * bounds[i], `${off} of ${bounds[i]} for ${i}`));
 });
 
 test("wider limits keep more tracks as one key", () => {
@@ -87,14 +179,18 @@ test("keys that no packed clip holds are told with clip, frame and joint", () =>
   // More tracks than 15 bits count, and no clip is at fault.
   const wide = new Float32Array(7 * 32769);
   for (let i = 3; i < wide.length; i += 7) wide[i] = 1;
-  const large = fails(() => packer.pack(32769, [{ keys: wide }]), "PackError", /more tracks than 15 bits/);
+  const large = fails(() => packer.pack(32769, [{ keys: wide }]), "PackError", /more tracks than 15 bits count$/);
   assert.deepEqual([large.clip, large.value], [undefined, undefined]);
   // After errors as before.
   assert.equal(dq8.packedClip(packer.pack(JOINTS, [{ keys: KEYS }])).clips, 1);
 });
 
 test("wrong arguments are named", () => {
-  const clips = [{ keys: KEYS }];
+  const clips = [{ keys: KEYS }],
+    stale = dq8.floats(21).view,
+    EMPTY = /^clips\[1\]\.keys is empty, or a view from before memory has grown$/;
+  dq8.floats(1 << 22).free();
+  assert.equal(stale.length, 0);
   for (const [call, name, text] of [
     [() => packer.pack(), "TypeError", /^joints is missing$/],
     [() => packer.pack(0, clips), "RangeError", /^joints is 0/],
@@ -103,13 +199,27 @@ test("wrong arguments are named", () => {
     [() => packer.pack(JOINTS, KEYS), "TypeError", /^clips is no array$/],
     [() => packer.pack(JOINTS, []), "RangeError", /^clips is empty$/],
     [() => packer.pack(JOINTS, [{}]), "TypeError", /^clips\[0\]\.keys is missing$/],
-    [() => packer.pack(JOINTS, [...clips, undefined]), "TypeError", /^clips\[1\]\.keys is missing$/],
-    [() => packer.pack(JOINTS, [...clips, { keys: 7 }]), "TypeError", /^clips\[1\]\.keys is no array$/],
-    [() => packer.pack(JOINTS, [{ keys: [] }]), "RangeError", /^clips\[0\]\.keys holds 0 numbers/],
+    [() => packer.pack(JOINTS, [...clips, undefined]), "TypeError", /^clips\[1\] is missing$/],
+    [() => packer.pack(JOINTS, [...clips, , ...clips]), "TypeError", /^clips\[1\] is missing$/],
+    [() => packer.pack(JOINTS, [...clips, null]), "TypeError", /^clips\[1\] is no object$/],
+    [() => packer.pack(JOINTS, [...clips, "ab"]), "TypeError", /^clips\[1\] is no object$/],
+    [() => packer.pack(JOINTS, [...clips, { keys: 7 }]), "TypeError", /^clips\[1\]\.keys is no array of numbers$/],
+    [() => packer.pack(JOINTS, [{ keys: null }]), "TypeError", /^clips\[0\]\.keys is no array of numbers$/],
+    [() => packer.pack(JOINTS, [{ keys: "x".repeat(21) }]), "TypeError", /^clips\[0\]\.keys is no array of numbers$/],
+    [() => packer.pack(JOINTS, [{ keys: { length: -21 } }]), "TypeError", /^clips\[0\]\.keys is no array of/],
+    [() => packer.pack(JOINTS, [{ keys: dq8.floats(21) }]), "TypeError", /^clips\[0\]\.keys is no array of numbers$/],
+    [() => packer.pack(JOINTS, [{ keys: new BigInt64Array(21) }]), "TypeError", /^clips\[0\]\.keys is no array of/],
+    [() => packer.pack(JOINTS, [...clips, { keys: [] }]), "RangeError", EMPTY],
+    [() => packer.pack(JOINTS, [...clips, { keys: stale }]), "RangeError", EMPTY],
     [() => packer.pack(2, [{ keys: KEYS.subarray(7) }]), "RangeError", /holds 833 numbers, .* of 14, seven a joint/],
     [() => packer.pack(JOINTS, [{ keys: KEYS, rate: 0 }]), "RangeError", /^clips\[0\]\.rate is 0, not a positive/],
-    [() => packer.pack(JOINTS, clips, { angle: -1 }), "RangeError", /^angle is -1, not a number from 0 on$/],
-    [() => packer.pack(JOINTS, clips, { length: NaN }), "RangeError", /^length is NaN/],
+    [() => packer.pack(JOINTS, [{ keys: KEYS, rate: "30" }]), "TypeError", /^clips\[0\]\.rate is 30, not a positive/],
+    [() => packer.pack(JOINTS, [{ keys: KEYS, rate: null }]), "TypeError", /^clips\[0\]\.rate is null, not a positive/],
+    [() => packer.pack(JOINTS, clips, null), "TypeError", /^limits is no object$/],
+    [() => packer.pack(JOINTS, clips, 1e-3), "TypeError", /^limits is no object$/],
+    [() => packer.pack(JOINTS, clips, { angle: -1 }), "RangeError", /^limits\.angle is -1, not a number from 0 on$/],
+    [() => packer.pack(JOINTS, clips, { angle: null }), "TypeError", /^limits\.angle is null, not a number/],
+    [() => packer.pack(JOINTS, clips, { length: NaN }), "RangeError", /^limits\.length is NaN, not a number/],
   ])
     fails(call, name, text);
 });
@@ -126,4 +236,11 @@ test("memory does not grow with what has been packed, and compiled code is taken
   assert.equal(exports.memory.buffer.byteLength, before);
   const other = await loadPacker({ wasm: code });
   assert.deepEqual(other.pack(JOINTS, [{ keys: KEYS }]), own.pack(JOINTS, [{ keys: KEYS }]));
+});
+
+test("the module exports the functions that the packer calls, and no others", async () => {
+  const exported = WebAssembly.Module.exports(await compile()).map(({ name }) => name);
+  assert.deepEqual(exported.filter((name) => name.startsWith("dq8_")).sort(), [
+    "dq8_allocate", "dq8_free", "dq8_pack", "dq8_packed_bytes", "dq8_packed_free", "dq8_packed_length",
+  ]);
 });

@@ -24,9 +24,9 @@ class clips {
     const dq8_status status = dq8_clips_make(bytes_.data(), bytes_.size(), made_.fill(), &bad);
     detail::check("clips", status, bad);
   }
-  /* Packs clips of a skeleton. A joint that turns by less than `angle` radians in a clip is kept as a single rotation, and one
-     that moves by less than `length` as a single translation. Throws an error whose index is the wrong local pose, counted
-     through all clips. */
+  /* Packs clips of a skeleton. Rotations of a joint in a clip that are all within `angle` radians of the first are kept as the
+     first alone, and translations that are all within `length` of the first along each axis likewise. Throws an error whose
+     index is the wrong local pose, counted through all clips. */
   static clips pack(std::size_t joints, span<const clip_frames> frames, float angle = 2e-5f, float length = 1e-5f) {
     std::vector<dq8_frames> all;
     for (const clip_frames &clip : frames) {

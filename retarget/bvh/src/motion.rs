@@ -140,7 +140,8 @@ fn read_line<'t>(line: &'t str, values: &mut Vec<f64>, end: usize) -> Result<(),
             at += length;
             continue;
         }
-        // Everything before is ASCII. White space need not be.
+        // A word, a number or white space of ASCII ends here, so `at` is a boundary of a character.
+        // The white space that follows need not be ASCII.
         let rest = line[at..].trim_start();
         let Some(text) = rest.split(char::is_whitespace).next().filter(|text| !text.is_empty())
         else {

@@ -53,7 +53,9 @@ fn add_digits(mut number: u64, text: &[u8]) -> (u64, usize, &[u8]) {
     // Eight bytes at a time, of which the first is the lowest.
     while let Some((block, _)) = rest.split_first_chunk() {
         let block = u64::from_le_bytes(*block) ^ 0x3030_3030_3030_3030;
-        // Bytes above nine. One that carries is one itself, and so is no matter to those before it.
+        // The high bits of bytes above nine. A byte that carries into the next is itself above
+        // nine, and only the first such byte counts. Bytes from 128 on may carry their own high bit
+        // away.
         let others = (block.wrapping_add(0x7676_7676_7676_7676) | block) & 0x8080_8080_8080_8080;
         let count = others.trailing_zeros() / 8;
         if count == 0 {
@@ -120,5 +122,21 @@ mod tests {
             assert_eq!(plain(word.as_bytes()), None, "{word}");
         }
         assert_eq!(plain(b"00000000000000000001"), None);
+        // A byte that is not ASCII, at each place of words that are read eight bytes at a time.
+        for byte in 0x80..=0xff {
+            for length in 8..=24 {
+                for place in 0..length {
+                    let mut word = vec![b'1'; length];
+                    word[place] = byte;
+                    assert_eq!(plain(&word), None, "{byte:#x} at {place} of {length}");
+                    // White space after it, as the digits of another number follow.
+                    if let Some(next) = word.get_mut(place + 1) {
+                        *next = b' ';
+                        assert_eq!(plain(&word), None, "{byte:#x} at {place} of {length}, a space");
+                    }
+                }
+            }
+        }
+        assert_eq!(plain("1234é  8".as_bytes()), None);
     }
 }
