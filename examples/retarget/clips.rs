@@ -60,8 +60,8 @@ impl Clips<'_> {
         self.out.join(format!("{name}.csv"))
     }
 
-    /// Whether no result would replace a file that is read. This is asked before any file is
-    /// written, and of all files once, because each may be the result of any clip.
+    /// Returns an error if a result would replace a file that is read. This is asked before any
+    /// file is written, and of all files once, because each may be the result of any clip.
     fn check(&self, clips: &BTreeMap<String, PathBuf>) -> Result<(), String> {
         let read = self.inputs.iter().copied().chain(clips.values().map(PathBuf::as_path));
         let read: BTreeSet<_> = read.filter_map(|path| fs::canonicalize(path).ok()).collect();
