@@ -32,6 +32,8 @@ pub struct Report {
     pub sink: f64,
     /// The percentage of frames in which a sole is more than a centimetre under that height.
     pub sunk: f64,
+    /// `false` if no edges of a sole are known, but one point: edges may sink deeper than it does.
+    pub edges: bool,
     /// The speed of joints that a twentieth of them exceed, rad/s.
     pub speed: f64,
     /// The greatest speed of a joint, rad/s.
@@ -91,6 +93,7 @@ impl Report {
             unevenness: soles.unevenness,
             sink: soles.sink,
             sunk: soles.sunk,
+            edges: targets.feet.iter().all(|foot| !foot.sole.is_point()),
             speed: joints.speed,
             speed_most: joints.speed_most,
             jerk: joints.jerk,
@@ -171,7 +174,11 @@ impl fmt::Display for Report {
         row("residual of feet, mm", format!("{:.1}", self.feet))?;
         row("slide of feet, mm/s", format!("{:.0}", self.slide))?;
         row("ground, mm", format!("{:.1} ± {:.1}", self.ground, self.unevenness))?;
-        row("sink, mm", format!("{:.1} ({:.1} % of frames above 10)", self.sink, self.sunk))?;
+        let edges = if self.edges { "" } else { ", of one point: edges are not known" };
+        row(
+            "sink, mm",
+            format!("{:.1} ({:.1} % of frames above 10){edges}", self.sink, self.sunk),
+        )?;
         row(
             "speed, rad/s",
             format!("{:.1} (a twentieth above {:.1})", self.speed_most, self.speed),

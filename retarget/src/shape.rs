@@ -11,8 +11,8 @@ type Vector = [f64; 3];
 
 const UP: Vector = [0.0, 0.0, 1.0];
 
-/// The most ends, and the most joints in a row, of a robot whose shape is looked at, because each two
-/// ends are compared. Humanoids with all their fingers have some sixty ends.
+/// The most ends, and the most joints in a row, of a robot whose shape is looked at: each two ends
+/// are compared. Humanoids with all their fingers have some sixty ends.
 const MOST: usize = 256;
 
 /// The links of a robot that move, with all joints at zero.

@@ -241,6 +241,18 @@ fn soles_stand_at_height_zero() {
 }
 
 #[test]
+fn edges_of_soles_are_not_known_where_soles_are_points() {
+    // The robot has links that are called soles, and no shapes.
+    for (urdf, known) in [(HUMANOID, false), (&with_soles(), true)] {
+        let humanoid = Humanoid::from_urdf(urdf).unwrap();
+        let person = person(&biped::clip());
+        let report = retarget(&person, &humanoid, &Settings::default()).unwrap().report;
+        assert_eq!(report.edges, known);
+        assert_eq!(report.to_string().contains("edges are not known"), !known, "{report}");
+    }
+}
+
+#[test]
 fn a_robot_with_a_floating_joint_of_its_own_gets_no_second_one() {
     let body = HUMANOID.find("<link name=\"pelvis\"").unwrap();
     let floor = "<link name='world'/><joint name='free' type='floating'><parent link='world'/><child link='pelvis'/></joint>";
