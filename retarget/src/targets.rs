@@ -55,10 +55,6 @@ const FEWEST: usize = 6;
 /// soles slide twice as fast and sink twice as deep, because they turn about the ankle.
 const HELD: [f64; 2] = [1.0, 4.0];
 
-/// The weight of rotation that keeps the pelvis level while the robot stands as the person does at
-/// rest. Hinges that would rather be at zero tilt it if the weight is 1.
-const LEVEL: f64 = 20.0;
-
 /// The height of an ankle above its sole, where the robot's file does not say it. Metres.
 const ANKLE: f64 = 0.05;
 
@@ -258,16 +254,12 @@ impl Stance {
         let point = |poses: &[DualQuat<f64>], place: &Place| {
             poses[place.link].conjugate().transform_point(poses[place.centre].translation())
         };
-        // Without a weight of rotation the pelvis would tilt to bring limbs nearer.
-        let goal = |place: &Place| match place.role {
-            Role::Pelvis => Goal::pose(place.link).at(point(&poses, place)).weighing(LEVEL, 1.0),
-            _ => Goal::position(place.link).at(point(&poses, place)),
-        };
-        let goals: Vec<_> = places.iter().map(goal).collect();
-        let targets = places.iter().zip(&wanted).map(|(place, &at)| {
-            DualQuat::from_rotation_translation(poses[place.link].rotation(), at)
-        });
-        let targets: Vec<_> = targets.collect();
+        let goals: Vec<_> = places
+            .iter()
+            .map(|place| Goal::position(place.link).at(point(&poses, place)))
+            .collect();
+        let targets: Vec<_> =
+            wanted.iter().map(|&place| DualQuat::from_translation(place)).collect();
         let options = Options { max_iterations: 200, least_gain: 1e-6, ..Options::track() };
         let options = Tracking { options, posture_weight: 0.05, ..Tracking::default() };
         let values = reach(humanoid, &goals, &targets, &zero, &zero, &options)?;
