@@ -76,6 +76,14 @@ def humanoid(n):
     return re.sub(r'<link name="(left|right)_hand"/>', rf'<link name="\1_hand">{ball * n}</link>', text)
 
 
+def fingers(n):
+    """The humanoid with `n` fingers of three hinges beside each other."""
+    hinge = lambda name, parent, at: (f'<link name="{name}"/><joint name="{name}" type="continuous"><parent link="{parent}"/>'
+                                      f'<child link="{name}"/><origin xyz="{at} 0 -0.1"/><axis xyz="0 1 0"/></joint>\n')
+    finger = lambda i: hinge(f"a{i}", "pelvis", 0.01 * i) + hinge(f"b{i}", f"a{i}", 0) + hinge(f"c{i}", f"b{i}", 0)
+    return humanoid(0).replace("</robot>", "".join(map(finger, range(n))) + "</robot>")
+
+
 def standing():
     """The first frame of the walk."""
     lines = (ROOT / "examples/mocap/walk.bvh").read_text().splitlines()
@@ -150,6 +158,7 @@ FILES = {
     "numbers without an end": ("numbers", 20, lambda n: "1 " * n, "numbers where 8"),
     "brackets": ("numbers", 20, lambda n: "[" * n, "has 1 number where 8"),
     "shapes of two hands": ("humanoid", 2, humanoid, "1 frames in"),
+    "fingers": ("humanoid", 1, fingers, "1 frames in"),
 }
 
 

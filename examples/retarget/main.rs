@@ -46,7 +46,7 @@ usage: retarget ROBOT.urdf CLIP.bvh [--map FILE] [--fps HZ] [--rest FRAME] [--an
   --fps HZ        frames per second that are solved, 30 by default; frames between those of the clip
                   are interpolated
   --rest FRAME    a frame in which the person stands, counted from 0; by default the pose with all
-                  channels zero, or the first frame in which the person stands
+                  channels zero, or the mean of the frames in which the person stands
   --ankle METRES  the height of the robot's ankles above its soles; by default that of the collision
                   shapes of the feet
   --smooth HZ     the frequency that passes over the whole motion halve, 4 by default; with 0 nothing

@@ -92,19 +92,19 @@ def spec_of(root, share):
 
 
 def fitted(name, root, folder, share):
-    """Returns the robot with a cylinder in place of each mesh of collision, of the size that MuJoCo fits."""
+    """Returns the robot with a cylinder in place of each mesh of collision, of the size that MuJoCo fits, for both."""
     shaped = xml.fromstring(xml.tostring(root))
     spec = spec_of(root, share)
-    own = spec.copy()
-    for geom in own.geoms:
-        if geom.type == mujoco.mjtGeom.mjGEOM_MESH:
+    meshes = [geom.type == mujoco.mjtGeom.mjGEOM_MESH for geom in spec.geoms]
+    for geom, is_mesh in zip(spec.geoms, meshes):
+        if is_mesh:
             geom.type = mujoco.mjtGeom.mjGEOM_CYLINDER
-    model, kept = own.compile(), [geom.type == mujoco.mjtGeom.mjGEOM_MESH for geom in spec.geoms]
+    model = spec.copy().compile()
     for link in shaped.iter("link"):
         for node in [node for node in link if node.tag == "collision" and node.find("geometry/mesh") is not None]:
             link.remove(node)
         body = model.body(link.get("name")).id
-        for geom in np.flatnonzero((model.geom_bodyid == body) & kept):
+        for geom in np.flatnonzero((model.geom_bodyid == body) & meshes):
             (radius, half, _), (x, y, z) = model.geom_size[geom], model.geom_pos[geom]
             w, a, b, c = model.geom_quat[geom]
             roll = np.arctan2(2 * (w * a + b * c), 1 - 2 * (a * a + b * b))

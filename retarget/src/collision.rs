@@ -200,6 +200,11 @@ impl Sole {
         Self { points: vec![(add(origin, down), 0.0)] }
     }
 
+    /// Returns `true` if no edges of the sole are known.
+    pub(crate) fn is_point(&self) -> bool {
+        matches!(self.points[..], [(_, 0.0)])
+    }
+
     /// Returns the height of the lowest point if the foot has this pose.
     pub(crate) fn lowest(&self, foot: DualQuat<f64>) -> f64 {
         let bottoms = self.points.iter().map(|&(point, radius)| height(foot, point) - radius);

@@ -100,6 +100,9 @@ impl Humanoid {
     fn find(&mut self, poses: &[DualQuat<f64>], table: Option<&str>) -> Result<(), RetargetError> {
         let shape = Shape::new(&self.robot, poses);
         let mut body = shape.body();
+        if shape.is_too_large() {
+            self.told.push("the robot has so many links that its shape tells no roles".to_owned());
+        }
         let links: Vec<_> = self.robot.link_names().iter().map(|name| plain(name)).collect();
         let by_name = |role: Role| -> Option<Part> {
             let find = |names: &[&str]| find(&links, role.side(), names);

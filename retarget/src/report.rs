@@ -32,6 +32,8 @@ pub struct Report {
     pub sink: f64,
     /// The percentage of frames in which a sole is more than a centimetre under that height.
     pub sunk: f64,
+    /// `false` if no edges of a sole are known, but one point: edges may sink deeper than it does.
+    pub edges: bool,
     /// The speed of joints that a twentieth of them exceed, rad/s.
     pub speed: f64,
     /// The greatest speed of a joint, rad/s.
@@ -60,25 +62,26 @@ impl Report {
         motion: &[f64],
     ) -> Result<Self, RetargetError> {
         let robot = humanoid.robot();
-        let (goals, links) = (targets.goals.len(), robot.mechanism().links());
+        let goals = targets.goals.len();
         let count = robot.mechanism().values();
-        let mut poses = vec![DualQuat::IDENTITY; targets.frames() * links];
         same_length("motion", motion.len(), targets.frames() * count)?;
-        for (values, poses) in motion.chunks_exact(count).zip(poses.chunks_exact_mut(links)) {
-            robot.mechanism().link_poses(values, poses)?;
-        }
+        // `[frame][goal]`, of the links that have goals.
+        let mut poses = vec![DualQuat::IDENTITY; targets.poses.len()];
+        let links: Vec<_> = targets.goals.iter().map(|goal| goal.link).collect();
+        robot.mechanism().job().links(&links).poses(motion, &mut poses)?;
 
-        let (mut apart, mut feet) = (Vec::new(), Vec::new());
-        for (poses, wanted) in poses.chunks_exact(links).zip(targets.poses.chunks_exact(goals)) {
-            for ((goal, target), place) in targets.goals.iter().zip(wanted).zip(&targets.places) {
-                let point = poses[goal.link].transform_point(goal.point);
+        let (mut apart, mut feet) = (Vec::with_capacity(poses.len()), Vec::new());
+        for (poses, wanted) in poses.chunks_exact(goals).zip(targets.poses.chunks_exact(goals)) {
+            for (index, (pose, target)) in poses.iter().zip(wanted).enumerate() {
+                let (goal, place) = (&targets.goals[index], &targets.places[index]);
+                let point = pose.transform_point(goal.point);
                 apart.push(1e3 * norm(sub(point, target.translation())));
                 if place.role.is_foot() {
                     feet.extend(apart.last());
                 }
             }
         }
-        let soles = Soles::of(targets, &poses, links);
+        let soles = Soles::of(targets, &poses);
         let joints = Joints::of(targets, humanoid, motion, count);
         let shapes = humanoid.known_shapes();
         Ok(Self {
@@ -90,6 +93,7 @@ impl Report {
             unevenness: soles.unevenness,
             sink: soles.sink,
             sunk: soles.sunk,
+            edges: targets.feet.iter().all(|foot| !foot.sole.is_point()),
             speed: joints.speed,
             speed_most: joints.speed_most,
             jerk: joints.jerk,
@@ -170,7 +174,11 @@ impl fmt::Display for Report {
         row("residual of feet, mm", format!("{:.1}", self.feet))?;
         row("slide of feet, mm/s", format!("{:.0}", self.slide))?;
         row("ground, mm", format!("{:.1} ± {:.1}", self.ground, self.unevenness))?;
-        row("sink, mm", format!("{:.1} ({:.1} % of frames above 10)", self.sink, self.sunk))?;
+        let edges = if self.edges { "" } else { ", of one point: edges are not known" };
+        row(
+            "sink, mm",
+            format!("{:.1} ({:.1} % of frames above 10){edges}", self.sink, self.sunk),
+        )?;
         row(
             "speed, rad/s",
             format!("{:.1} (a twentieth above {:.1})", self.speed_most, self.speed),
@@ -221,11 +229,10 @@ struct Soles {
 }
 
 impl Soles {
-    fn of(targets: &Targets, poses: &[DualQuat<f64>], links: usize) -> Self {
+    fn of(targets: &Targets, poses: &[DualQuat<f64>]) -> Self {
         let (mut standing, mut all, mut ways) = (Vec::new(), Vec::new(), Vec::new());
         for foot in &targets.feet {
-            let link = targets.goals[foot.goal].link;
-            let pose = |frame: usize| poses[frame * links + link];
+            let pose = |frame: usize| poses[frame * targets.goals.len() + foot.goal];
             for frame in 0..targets.frames() {
                 all.push((frame, 1e3 * foot.sole.lowest(pose(frame))));
             }
@@ -328,6 +335,9 @@ fn mean(numbers: &[f64]) -> f64 {
 
 /// Returns the number that a twentieth exceed.
 fn high(numbers: &mut [f64]) -> f64 {
-    numbers.sort_by(f64::total_cmp);
-    numbers.get(numbers.len() * 19 / 20).copied().unwrap_or(0.0)
+    let place = numbers.len() * 19 / 20;
+    if numbers.is_empty() {
+        return 0.0;
+    }
+    *numbers.select_nth_unstable_by(place, f64::total_cmp).1
 }

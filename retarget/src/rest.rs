@@ -2,11 +2,16 @@
 //! and axes all other frames are counted.
 
 use crate::role::Role;
+use crate::shape::leftward;
 use crate::{Person, RetargetError};
 use dq8::scalar::vector::{add, cross, dot, norm, over_norm, scale, sub};
 use dq8::{DualQuat, Quat};
 
 type Vector = [f64; 3];
+
+/// Hips that are at least at this share of their greatest height are those of a person who stands
+/// upright.
+const HIGH: f64 = 0.95;
 
 /// The pose from which the turns of joints are counted.
 #[derive(Debug)]
@@ -22,57 +27,87 @@ pub(crate) struct Rest {
 impl Rest {
     /// Takes the pose of the asked frame. If none is asked for, takes the neutral pose if a person
     /// stands in it. In files whose axes lie along the bones, that pose is a straight line; then
-    /// the first frame in which a person stands is taken.
+    /// the mean of the frames in which a person stands is taken.
     pub(crate) fn of(person: &Person, asked: Option<usize>) -> Result<Self, RetargetError> {
-        let taken = |frame: usize, poses: &[DualQuat<f64>]| {
-            let told = Some(format!("frame {frame} is the rest pose"));
-            Self { poses: poses.to_vec(), axes: facing(person, poses), told }
-        };
         if let Some(asked) = asked {
             let frames = person.frames();
             if asked >= frames {
                 return Err(RetargetError::RestFrame { asked, frames });
             }
-            return Ok(taken(asked, &person.poses(asked..asked + 1)?));
+            let poses = person.poses(asked..asked + 1)?;
+            let told = Some(format!("frame {asked} is the rest pose"));
+            return Ok(Self { axes: facing(person, &poses), poses, told });
         }
         if let Some(poses) = person.neutral() {
             let axes = facing(person, poses);
-            let neutral = Self { poses: poses.to_vec(), axes, told: None };
-            if neutral.stands(person) {
-                return Ok(neutral);
+            if stands(person, poses, axes) {
+                return Ok(Self { poses: poses.to_vec(), axes, told: None });
             }
         }
         // A person who lies in a frame is upright along another axis than in most frames.
         let all = person.poses(0..person.frames())?;
-        let joints = person.joint_names().len();
         let upright = upright(person, &all);
-        let frames = all.chunks_exact(joints).enumerate();
-        let mut standing = frames.map(|(frame, poses)| taken(frame, poses)).filter(|rest| {
-            dot(rest.axes.conjugate().rotate([0.0, 0.0, 1.0]), upright) > 0.5 && rest.stands(person)
+        let frames = all.chunks_exact(person.joint_names().len());
+        let mut standing: Vec<_> = frames.map(|poses| (poses, facing(person, poses))).collect();
+        standing.retain(|&(poses, axes)| {
+            dot(axes.conjugate().rotate([0.0, 0.0, 1.0]), upright) > 0.5
+                && stands(person, poses, axes)
         });
-        standing.next().ok_or(RetargetError::NoRest)
+        Self::mean(person, standing).ok_or(RetargetError::NoRest)
     }
 
-    /// Returns `true` if the head is above the hips, the hips are above the feet, and each left
-    /// part is to the left of the right one.
-    fn stands(&self, person: &Person) -> bool {
-        let place = |role: Role| Some(self.axes.rotate(place_of(person, &self.poses, role)?));
-        // The trunk's length is the measure of what counts as apart.
-        let (Some(pelvis), Some(top)) =
-            (place(Role::Pelvis), place(Role::Head).or(place(Role::Chest)))
-        else {
-            return false;
+    /// Returns the mean of the poses whose hips are about as high as in any, each as a person in it
+    /// faces. In a single frame, people are bent and turned by a step.
+    fn mean(person: &Person, mut standing: Vec<(&[DualQuat<f64>], Quat<f64>)>) -> Option<Self> {
+        let height = |&(poses, axes): &(&[DualQuat<f64>], Quat<f64>)| {
+            let place = |role| Some(axes.rotate(place_of(person, poses, role)?)[2]);
+            let feet = [Role::LeftFoot, Role::RightFoot].into_iter().filter_map(place);
+            feet.reduce(f64::min).and_then(|low| Some(place(Role::Pelvis)? - low)).unwrap_or(0.0)
         };
-        let trunk = top[2] - pelvis[2];
-        let apart = |[left, right]: [Role; 2]| match (place(left), place(right)) {
-            (Some(left), Some(right)) => left[1] - right[1] > 0.05 * trunk,
-            _ => true,
-        };
-        let below = |role: Role| place(role).is_none_or(|low| pelvis[2] - low[2] > 0.3 * trunk);
-        let leans = norm([top[0] - pelvis[0], top[1] - pelvis[1]]);
-        let mut low = Role::ALL.into_iter().filter(|role| role.is_below_hips());
-        trunk > leans && Role::PAIRS.into_iter().all(apart) && low.all(below)
+        let most = standing.iter().map(height).fold(0.0, f64::max);
+        standing.retain(|frame| height(frame) >= HIGH * most);
+        let &(first, axes) = standing.first()?;
+        let mut poses = first.to_vec();
+        for (joint, parent) in person.parents().iter().enumerate() {
+            let sum = standing.iter().fold([0.0; 4], |sum, (poses, facing)| {
+                let turn = axes.conjugate() * *facing * poses[joint].rotation();
+                let sign = if turn.dot(first[joint].rotation()) < 0.0 { -1.0 } else { 1.0 };
+                let turn = turn.to_array();
+                core::array::from_fn(|i| sum[i] + sign * turn[i])
+            });
+            // Bones keep their lengths.
+            let at = parent.map_or(first[joint].translation(), |on| {
+                let bone = first[on].conjugate().transform_point(first[joint].translation());
+                poses[on].transform_point(bone)
+            });
+            let turn = Quat::from_array(sum).normalize();
+            poses[joint] = DualQuat::from_rotation_translation(turn, at);
+        }
+        let count = standing.len();
+        let told =
+            format!("the rest pose is the mean of the frames in which the person stands: {count}");
+        Some(Self { poses, axes, told: Some(told) })
     }
+}
+
+/// Returns `true` if the head is above the hips, the hips are above the feet, and each left part is
+/// to the left of the right one.
+fn stands(person: &Person, poses: &[DualQuat<f64>], axes: Quat<f64>) -> bool {
+    let place = |role: Role| Some(axes.rotate(place_of(person, poses, role)?));
+    // The trunk's length is the measure of what counts as apart.
+    let (Some(pelvis), Some(top)) = (place(Role::Pelvis), place(Role::Head).or(place(Role::Chest)))
+    else {
+        return false;
+    };
+    let trunk = top[2] - pelvis[2];
+    let apart = |[left, right]: [Role; 2]| match (place(left), place(right)) {
+        (Some(left), Some(right)) => left[1] - right[1] > 0.05 * trunk,
+        _ => true,
+    };
+    let below = |role: Role| place(role).is_none_or(|low| pelvis[2] - low[2] > 0.3 * trunk);
+    let leans = norm([top[0] - pelvis[0], top[1] - pelvis[1]]);
+    let mut low = Role::ALL.into_iter().filter(|role| role.is_below_hips());
+    trunk > leans && Role::PAIRS.into_iter().all(apart) && low.all(below)
 }
 
 fn place_of(person: &Person, poses: &[DualQuat<f64>], role: Role) -> Option<Vector> {
@@ -98,17 +133,11 @@ fn up(person: &Person, poses: &[DualQuat<f64>]) -> Vector {
 
 /// Returns the rotation from the axes of a clip to those of robots: x forward, y to the left, z up.
 fn facing(person: &Person, poses: &[DualQuat<f64>]) -> Quat<f64> {
-    let mut left = [0.0; 3];
-    for [of_left, of_right] in Role::PAIRS {
-        let places = (place_of(person, poses, of_left), place_of(person, poses, of_right));
-        if let (Some(a), Some(b)) = places {
-            left = add(left, sub(a, b));
-        }
-    }
     // The axis of the file that is nearest to up, because spines lean.
     let up = up(person, poses);
     let largest = (0..3).max_by(|&a, &b| up[a].abs().total_cmp(&up[b].abs())).unwrap_or(1);
     let up = core::array::from_fn(|axis| if axis == largest { up[axis].signum() } else { 0.0 });
+    let left = leftward(|role| place_of(person, poses, role));
     let left = sub(left, scale(up, dot(left, up)));
     if norm(left) == 0.0 {
         return Quat::IDENTITY;

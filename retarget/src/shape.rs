@@ -11,6 +11,10 @@ type Vector = [f64; 3];
 
 const UP: Vector = [0.0, 0.0, 1.0];
 
+/// The most ends, and the most joints in a row, of a robot whose shape is looked at: each two ends
+/// are compared. Humanoids with all their fingers have some sixty ends.
+const MOST: usize = 256;
+
 /// The links of a robot that move, with all joints at zero.
 pub(crate) struct Shape<'r> {
     joints: &'r [Joint<f64>],
@@ -21,6 +25,8 @@ pub(crate) struct Shape<'r> {
     children: Vec<Vec<usize>>,
     /// The number of hinges to the farthest tip below each moving link.
     depth: Vec<usize>,
+    /// The moving links that carry no others.
+    tips: Vec<usize>,
     /// The height of the whole robot.
     height: f64,
     lowest: f64,
@@ -73,10 +79,12 @@ impl<'r> Shape<'r> {
             depth[link] =
                 children[link].iter().map(|&child: &usize| depth[child] + 1).max().unwrap_or(0);
         }
+        let is_tip = |&link: &usize| moving[link] == link && children[link].is_empty();
+        let tips = (0..joints.len()).filter(is_tip).collect();
         let heights = || poses.iter().map(|pose| pose.translation()[2]);
         let lowest = heights().fold(f64::INFINITY, f64::min);
         let height = heights().fold(f64::NEG_INFINITY, f64::max) - lowest;
-        Self { joints, poses, moving, children, depth, height, lowest }
+        Self { joints, poses, moving, children, depth, tips, height, lowest }
     }
 
     /// Returns `true` if one link cannot move relative to the other.
@@ -126,12 +134,18 @@ impl<'r> Shape<'r> {
         }
     }
 
+    /// Returns `true` if the robot has so many links that its shape is not looked at.
+    pub(crate) fn is_too_large(&self) -> bool {
+        self.tips.len() > MOST || self.depth.first().is_some_and(|&joints| joints > MOST)
+    }
+
+    /// Returns the parts that the shape tells.
     pub(crate) fn body(&self) -> Body {
         let mut body = Body::default();
-        let tips: Vec<_> = (0..self.joints.len())
-            .filter(|&link| self.moving[link] == link && self.children[link].is_empty())
-            .collect();
-        let paths: Vec<_> = tips.iter().map(|&tip| self.path(tip)).collect();
+        if self.is_too_large() {
+            return body;
+        }
+        let paths: Vec<_> = self.tips.iter().map(|&tip| self.path(tip)).collect();
         let mut pairs = Vec::new();
         for (index, a) in paths.iter().enumerate() {
             pairs.extend(paths[index + 1..].iter().filter_map(|b| self.twins(a, b)));

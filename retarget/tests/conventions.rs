@@ -134,6 +134,21 @@ fn held_feet_are_followed_as_well_where_the_rest_pose_is_a_step() {
 }
 
 #[test]
+fn a_clip_that_begins_with_a_step_is_followed_as_well_as_one_whose_rest_pose_is_known() {
+    let biped = biped::clip();
+    for first in [0, 80] {
+        let values = biped.values[first * biped.channels()..].to_vec();
+        let clip = Clip { values, ..biped.clone() };
+        let residual = |clip: &Clip| {
+            let motion = retarget(&person(clip), &humanoid(), &Settings::default()).unwrap();
+            motion.report.residual
+        };
+        let (own, other) = (residual(&clip), residual(&along_bones(&clip)));
+        assert!(other < 1.05 * own, "{first}: {other} mm, {own} mm");
+    }
+}
+
+#[test]
 fn names_of_other_programs_are_found() {
     let mut clip = biped::clip();
     for joint in &mut clip.joints {
@@ -211,6 +226,18 @@ fn soles_stand_at_height_zero() {
         .map(|settings| Targets::new(&person, &humanoid, &settings).unwrap().poses[0]);
     let lift = high.translation()[2] - low.translation()[2];
     assert!((lift - 0.1).abs() < 0.005, "{lift}");
+}
+
+#[test]
+fn edges_of_soles_are_not_known_where_soles_are_points() {
+    // The robot has links that are called soles, and no shapes.
+    for (urdf, known) in [(HUMANOID, false), (&with_soles(), true)] {
+        let humanoid = Humanoid::from_urdf(urdf).unwrap();
+        let person = person(&biped::clip());
+        let report = retarget(&person, &humanoid, &Settings::default()).unwrap().report;
+        assert_eq!(report.edges, known);
+        assert_eq!(report.to_string().contains("edges are not known"), !known, "{report}");
+    }
 }
 
 #[test]

@@ -1,9 +1,9 @@
-//! The collision shapes of a robot: which of them are known, and where they meet.
+//! The shapes of a robot: which of those of collision are known, and how many ends are looked at.
 
 mod common;
 
 use common::{HUMANOID, person, with_shape, with_soles};
-use dq8_retarget::{Humanoid, KnownShapes, Settings, retarget};
+use dq8_retarget::{Humanoid, KnownShapes, Role, Settings, retarget};
 use mocap::biped;
 
 #[test]
@@ -33,5 +33,25 @@ fn self_hits_are_not_known_where_a_link_has_a_mesh() {
         );
         let told = humanoid.to_string();
         assert_eq!(told.contains("links have meshes as collision shapes"), unread > 0, "{told}");
+    }
+}
+
+#[test]
+fn a_robot_of_hundreds_of_ends_has_the_roles_that_names_give_and_says_so() {
+    let mut parts = String::new();
+    for end in 0..300 {
+        parts += &format!(
+            "<link name='e{end}'/><joint name='e{end}' type='continuous'><parent link='pelvis'/><child link='e{end}'/></joint>"
+        );
+    }
+    let urdf = HUMANOID.replace("</robot>", &(parts + "</robot>"));
+    let humanoid = Humanoid::from_urdf(&urdf).unwrap();
+    assert!(humanoid.told().iter().any(|sentence| sentence.contains("so many links")));
+    let small = Humanoid::from_urdf(HUMANOID).unwrap();
+    for role in Role::ALL {
+        let link = |robot: &Humanoid| {
+            robot.part(role).map(|part| robot.robot().link_names()[part.link].clone())
+        };
+        assert_eq!(link(&humanoid), link(&small), "{role}");
     }
 }
