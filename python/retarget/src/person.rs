@@ -92,9 +92,10 @@ impl Person {
         let parents = parents_of(parents)?;
         check_names("names", &names, parents.len())?;
         let (places, leading) = vectors("array", positions)?;
-        if !matches!(leading[..], [_, joints] if joints == names.len()) {
+        if !matches!(leading[..], [frames, joints] if frames > 0 && joints == names.len()) {
             let shape = [&leading[..], &[3]].concat();
-            return Err(misshapen("array", &format!("(frames, {}, 3)", names.len()), &shape));
+            let frames = if leading[..] == [0, names.len()] { "frames > 0" } else { "frames" };
+            return Err(misshapen("array", &format!("({frames}, {}, 3)", names.len()), &shape));
         }
         let time = frame_time(fps)?;
         made(py, table, move || {
@@ -173,6 +174,7 @@ impl Person {
     fn __repr__(&self) -> String {
         let (title, frames) = (self.person.title(), self.person.frames());
         let (joints, fps) = (self.person.joint_names().len(), self.fps());
-        format!("<dq8.retarget.Person {title:?}: {joints} joints, {frames} frames, {fps:.6} fps>")
+        let fps = (fps * 1e6).round() / 1e6;
+        format!("<dq8.retarget.Person {title:?}: {joints} joints, {frames} frames, {fps} fps>")
     }
 }
