@@ -92,10 +92,9 @@ impl Person {
         let parents = parents_of(parents)?;
         check_names("names", &names, parents.len())?;
         let (places, leading) = vectors("array", positions)?;
-        if !matches!(leading[..], [frames, joints] if frames > 0 && joints == names.len()) {
+        if !matches!(leading[..], [_, joints] if joints == names.len()) {
             let shape = [&leading[..], &[3]].concat();
-            let frames = if leading[..] == [0, names.len()] { "frames > 0" } else { "frames" };
-            return Err(misshapen("array", &format!("({frames}, {}, 3)", names.len()), &shape));
+            return Err(misshapen("array", &format!("(frames, {}, 3)", names.len()), &shape));
         }
         let time = frame_time(fps)?;
         made(py, table, move || {
