@@ -73,6 +73,7 @@ impl<R: Real> Fit<R> {
     }
 
     /// Returns s·r (p − c) r*, the point turned and scaled about the mean c of the points.
+    #[inline]
     fn turned(&self, point: [R; 3]) -> [R; 3] {
         let point = vector::scale(vector::sub(point, self.from), self.scale);
         self.motion.rotation().rotate(point)
@@ -164,25 +165,26 @@ impl<'a, R: Real> PointPairs<'a, R> {
         finite("points", pairs.points)?;
         finite("moved", pairs.moved)?;
         let (first, _) = pairs.iter().next().ok_or(FitError::Empty)?;
-        let away = |pair: [[R; 3]; 2]| [0, 1].map(|side| vector::sub(pair[side], first[side]));
+        let away = |[x, y]: [[R; 3]; 2]| [vector::sub(x, first[0]), vector::sub(y, first[1])];
         // The means are computed from differences to one of the points. Sums of the coordinates
         // themselves would lose digits, because points far from the origin have their leading
         // digits in common.
         let (mut count, mut total) = (R::ZERO, R::ZERO);
         let (mut sums, mut furthest) = ([[R::ZERO; 3]; 2], [R::ZERO; 2]);
         for (pair, weight) in pairs.iter() {
-            let away = away(pair);
             count += R::ONE;
             total += weight;
-            sums = [0, 1].map(|side| vector::add(sums[side], vector::scale(away[side], weight)));
-            furthest = [0, 1].map(|side| furthest[side].max_or_nan(vector::largest(pair[side])));
+            for (side, away) in away(pair).into_iter().enumerate() {
+                sums[side] = vector::add(sums[side], vector::scale(away, weight));
+                furthest[side] = furthest[side].max_or_nan(vector::largest(pair[side]));
+            }
         }
         let means = sums.map(|sum| sum.map(|c| c / total));
         let (mut products, mut squares) = ([[R::ZERO; 3]; 3], [R::ZERO; 2]);
         for (pair, weight) in pairs.iter() {
-            let away = away(pair);
-            let [x, y] = [0, 1].map(|side| vector::sub(away[side], means[side]));
-            let heavy = [x, y].map(|side| vector::scale(side, weight));
+            let [x, y] = away(pair);
+            let (x, y) = (vector::sub(x, means[0]), vector::sub(y, means[1]));
+            let heavy = [vector::scale(x, weight), vector::scale(y, weight)];
             for (row, y) in products.iter_mut().zip(y) {
                 *row = vector::add(*row, vector::scale(heavy[0], y));
             }

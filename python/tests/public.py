@@ -9,6 +9,7 @@ MANY = "many = np.tile(turned, (1_000_000, 1))"
 OTHERS = "many, points = np.tile(turned, (1_000_000, 1)), np.ones((1_000_000, 3))"
 CLIP = "clip = np.tile(turned, (40_000, 60, 1))"
 VALUES = "values = np.zeros((500_000, 1))"
+STAMPED = "stamps, many = np.arange(3_000_000.0), np.tile(turned, (3_000_000, 1))"
 PATH = "path = dq8.Trajectory(np.arange(1000.0), np.tile(turned, (1000, 1))); at = np.linspace(0, 999, 3_000_000)"
 
 HERE = Path(__file__).parents[2]
@@ -118,7 +119,9 @@ CALLS: dict[str, tuple[str, str]] = {
         "cloud, times = np.ones((10_000_000, 3)), np.random.default_rng(1).random(10_000_000)",
         "dq8.skew(cloud, times, np.linspace(0, 1, 8), np.tile(turned, (8, 1)), out=cloud)",
     ),
-    "Trajectory": (MANY, "dq8.Trajectory(np.arange(1_000_000.0), many)"),
+    "Trajectory": (STAMPED, "dq8.Trajectory(stamps, many)"),
+    "Trajectory.sorted": (STAMPED, "dq8.Trajectory.sorted(stamps[::-1], many)"),
+    "Trajectory.poses": (STAMPED + "; path = dq8.Trajectory(stamps, many)", "path.poses"),
     "Trajectory.sample": (PATH, "path.sample(at)"),
     "Spline": (MANY, "dq8.Spline(many)"),
     "compare": ("path = dq8.Trajectory(np.arange(300_000.0), np.tile(turned, (300_000, 1)))", "dq8.compare(path, path)"),

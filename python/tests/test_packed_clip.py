@@ -108,6 +108,19 @@ def test_an_error_is_bounded_where_a_bound_is_asked_for(dtype, loops):
             dq8.PackedClip(frames, max_error=wrong)
 
 
+@pytest.mark.parametrize(("name", "kind"), [("angle", "an angle"), ("length", "a length")])
+@pytest.mark.parametrize("wrong", [-1.0, np.nan])
+def test_a_limit_that_no_track_is_within_is_refused(name, kind, wrong):
+    with pytest.raises(ValueError, match=f"Expected `{name}` to be {kind}, got"):
+        dq8.PackedClip(walk(), **{name: wrong})
+
+
+@pytest.mark.parametrize("frames", [walk()[:0], walk()[:, :0]])
+def test_a_clip_without_frames_or_joints_is_refused_by_the_name_of_its_argument(frames):
+    with pytest.raises(ValueError, match="`frames` to have shape .* with a frame and a joint at least, got"):
+        dq8.PackedClip(frames)
+
+
 def test_what_cannot_be_held_is_named():
     frames = walk()
     for at, message in (((3, 1, 0), "joint 1"), ((3, 1, 5), "joint 1")):

@@ -146,6 +146,10 @@ def test_a_report_measures_other_motions(motion, robot):
     assert rt.report(shaken, person)["jerk"] > 10 * motion.report["jerk"]
     with pytest.raises(ValueError, match="`values` to have shape"):
         rt.report(motion, person, fps=30)
+    with pytest.raises(ValueError, match="a row for each frame of `person` at 30 per second, got"):
+        rt.report(motion, person, fps=30)
+    with pytest.raises(TypeError, match="Expected `motion` to be a Motion, got Person"):
+        rt.report(person, motion)
     values = motion.values.copy()
     values[3, 2] = np.nan
     with pytest.raises(ValueError, match="nan in frame 3, column 9 "):

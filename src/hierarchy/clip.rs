@@ -140,6 +140,7 @@ impl<T: Scalar> Timing<T> {
 
     /// Returns the frame before the time `at` and the part of the way to the next frame, as
     /// [`Clip::place`] does.
+    #[inline]
     pub(super) fn place<R: Scalar>(self, at: R) -> (u32, R) {
         self.place_in_round(Real::from_f64(self.round(at).1.into()))
     }
@@ -162,6 +163,7 @@ impl<T: Scalar> Timing<T> {
 
     /// Returns the frame before a time in frames, and the part of the way to the next frame.
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
+    #[inline]
     fn place_in_round<R: Scalar>(self, time: R) -> (u32, R) {
         // No frame follows the last frame, so the frame before a time is at most the last but one.
         let last = self.frames.saturating_sub(2).min(i32::MAX as usize) as u32;

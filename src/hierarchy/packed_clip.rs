@@ -389,7 +389,8 @@ fn rest(
     let sides: [f32; 3] = core::array::from_fn(|axis| most[axis] - least[axis]);
     let [x, y, z] = core::array::from_fn(|axis| least[axis] + sides[axis] / 2.0);
     let longest = sides.into_iter().fold(0.0, f32::max);
-    Ok([x, y, z, if longest > tolerance.length { longest / (65534.0 * 16384.0) } else { 0.0 }])
+    // No side is within a limit that is NaN.
+    Ok([x, y, z, if longest <= tolerance.length { 0.0 } else { longest / (65534.0 * 16384.0) }])
 }
 
 /// Returns the keys of a column (the rotation or the translation of a joint): a key for each frame,

@@ -63,6 +63,7 @@ pub fn gram_schmidt<R: Real>(rows: [[R; 3]; 3]) -> Result<[[R; 3]; 3], Orthonorm
 ///
 /// # Errors
 /// If an element is not finite.
+#[inline]
 pub(super) fn all_finite<R: Real>(rows: [[R; 3]; 3]) -> Result<(), OrthonormalError> {
     for (row, elements) in rows.into_iter().enumerate() {
         for (column, value) in elements.into_iter().enumerate() {

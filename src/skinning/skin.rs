@@ -208,6 +208,7 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         self.weights.get(vertex * self.stride + influence).map_or(R::ZERO, |w| w.value())
     }
 
+    #[inline]
     fn weight<R: Real>(&self, vertex: usize, influence: usize) -> R {
         if influence < self.given() {
             return self.given_weight(vertex, influence);

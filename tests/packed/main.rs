@@ -196,6 +196,18 @@ fn what_keeps_still_takes_no_frames() {
     assert_eq!(none.clips().moving(0), Some(0));
 }
 
+#[test]
+fn no_track_keeps_still_within_a_limit_that_is_not_a_number() {
+    let frames = frames(0, 17);
+    let moving = |angle, length| {
+        let clip = Clip::new(JOINTS, &frames).unwrap();
+        PackedClip::new(clip, Tolerance { angle, length }).unwrap().clips().moving(0).unwrap()
+    };
+    let usual = Tolerance::default();
+    assert!(moving(usual.angle, f32::NAN) >= moving(usual.angle, usual.length));
+    assert!(moving(f32::NAN, usual.length) >= moving(usual.angle, usual.length));
+}
+
 /// The same on every target: this text was written on one with the other byte order than some that
 /// run it.
 #[test]

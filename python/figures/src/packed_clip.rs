@@ -21,7 +21,8 @@ use std::sync::Arc;
 ///
 /// Translations of a joint are steps of 2⁻¹⁶ of the longest side of the box in which it moves,
 /// and off by half of that along each axis: a walk of a kilometre is kept to 8 mm, which
-/// `max_error` refuses where it is too much. Rotations are off by 6·10⁻⁵ radians at most.
+/// `max_error` refuses where it is too much. Rotations are off by 5.4·10⁻⁵ radians at most.
+/// What is kept once is off by up to its limit (`angle`, or `length` along each axis) more.
 ///
 /// Parameters
 /// ----------
@@ -34,8 +35,9 @@ use std::sync::Arc;
 /// loops : bool
 ///     Whether the clip begins again where it ends: its last frame is the first one once more.
 /// angle, length : float
-///     What a rotation (in radians) and a translation may move and still be kept as one: they keep
-///     still. They bound nothing else.
+///     How far the rotations of a joint (in radians), or its translations along each axis, may be
+///     from the first one and still be kept as one: they keep still, and are off by up to this
+///     limit more. They bound nothing else.
 /// max_error : float, optional
 ///     How far packing may move a joint in its parent at a frame, a length. ValueError names the
 ///     joint that is moved farthest, where that is farther: leave the way of a root out of
@@ -73,13 +75,14 @@ impl PackedClip {
         length: f32,
         max_error: Option<f64>,
     ) -> PyResult<Self> {
-        let max_error = match max_error {
-            Some(error) if error.is_nan() || error < 0.0 => {
-                let message = format!("Expected `max_error` to be a length, got {error}.");
+        let limits = [("angle", "an angle", angle.into()), ("length", "a length", length.into())];
+        let most = max_error.map(|most| ("max_error", "a length", most));
+        for (name, kind, limit) in limits.into_iter().chain(most) {
+            if limit.is_nan() || limit < 0.0 {
+                let message = format!("Expected `{name}` to be {kind}, got {limit}.");
                 return Err(PyValueError::new_err(message));
             }
-            _ => max_error,
-        };
+        }
         let py = frames.py();
         let (keys, joints) = keys(frames)?;
         let packed = whole(py, move || {
@@ -294,8 +297,13 @@ fn check_error(
 /// Rotations and translations of frames, and how many joints each has.
 fn keys(frames: &Bound<'_, PyAny>) -> PyResult<(Vec<[f32; 7]>, usize)> {
     let frames = Input::<f64>::of(&Argument::new("frames", EIGHT, frames)?)?;
-    let &[_, joints] = frames.full_leading() else {
-        return Err(misshapen("frames", "(frames, joints, 8)", &frames.shape()));
+    let joints = match *frames.full_leading() {
+        [frames, joints] if frames > 0 && joints > 0 => joints,
+        [_, _] => {
+            let expected = "(frames, joints, 8) with a frame and a joint at least";
+            return Err(misshapen("frames", expected, &frames.shape()));
+        }
+        _ => return Err(misshapen("frames", "(frames, joints, 8)", &frames.shape())),
     };
     let frames = frames.in_full()?;
     let key = |motion: &[f64; 8]| {

@@ -221,6 +221,8 @@ def report(motion: Motion, person: Person, **options: Any) -> Report:
 
     The frames per second are those of the motion if `fps` does not say others. ``dataclasses.replace(motion, values=...)`` is a motion with other values.
     """
+    if not isinstance(motion, Motion):
+        raise TypeError(f"Expected `motion` to be a Motion, got {type(motion).__name__}.")
     wishes = settings(**{"fps": motion.fps, **options})
     configurations = motion.configurations()
     if not np.isfinite(configurations).all():

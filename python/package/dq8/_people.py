@@ -160,7 +160,7 @@ def positions(
     >>> import numpy as np
     >>> from dq8 import retarget as rt
     >>> rt.positions(["pelvis", "spine", "head"], [-1, 0, 1], np.zeros((4, 3, 3)), 30)
-    <dq8.retarget.Person "positions": 3 joints, 4 frames, 30.000000 fps>
+    <dq8.retarget.Person "positions": 3 joints, 4 frames, 30 fps>
     """
     return Person._from_positions(title, list(names), parents, array, fps, toml(table))
 

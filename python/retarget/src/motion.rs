@@ -126,6 +126,7 @@ pub fn retarget_report<'py>(
     values: &Bound<'_, PyAny>,
     settings: Wishes,
 ) -> PyResult<Measures<'py>> {
+    let fps = settings.fps;
     let settings = settings.settings()?;
     let given = Input::<f64>::of(&Argument::new("values", NUMBER, values)?)?.in_full()?;
     let (shape, values) = (given.shape(), given.numbers().to_vec());
@@ -142,7 +143,10 @@ pub fn retarget_report<'py>(
     })?;
     match report.map_err(|error: RetargetError| raised(&error))? {
         Ok(report) => measures(py, &report),
-        Err(frames) => Err(misshapen("values", &format!("({frames}, {columns})"), &shape)),
+        Err(frames) => {
+            let each = format!("a row for each frame of `person` at {fps} per second");
+            Err(misshapen("values", &format!("({frames}, {columns}), {each}"), &shape))
+        }
     }
 }
 

@@ -173,6 +173,7 @@ impl Person {
     fn __repr__(&self) -> String {
         let (title, frames) = (self.person.title(), self.person.frames());
         let (joints, fps) = (self.person.joint_names().len(), self.fps());
-        format!("<dq8.retarget.Person {title:?}: {joints} joints, {frames} frames, {fps:.6} fps>")
+        let fps = (fps * 1e6).round() / 1e6;
+        format!("<dq8.retarget.Person {title:?}: {joints} joints, {frames} frames, {fps} fps>")
     }
 }

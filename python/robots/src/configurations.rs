@@ -154,6 +154,9 @@ pub(crate) enum Given<'s, R> {
     Columns(Vec<&'s [R]>),
 }
 
+/// The number of configurations that columns are put together for at once.
+const BLOCK: usize = 64;
+
 impl<'s, R: Number> Given<'s, R> {
     /// Returns the configurations in `range`, `values` numbers each, side by side. Columns are put
     /// together piece by piece, in the cache: kernels that read columns where they lie would make
@@ -164,10 +167,13 @@ impl<'s, R: Number> Given<'s, R> {
             Self::Columns(all) => all,
         };
         let mut rows = vec![R::ZERO; range.len() * values];
-        for (index, column) in all.iter().enumerate() {
-            let places = rows.iter_mut().skip(index).step_by(values);
-            for (to, &from) in places.zip(&column[range.clone()]) {
-                *to = from;
+        // Few rows at a time: all their columns are put in while they are in the first cache.
+        for (block, rows) in rows.chunks_mut(BLOCK * values).enumerate() {
+            for (index, column) in all.iter().enumerate() {
+                let column = &column[range.start + BLOCK * block..range.end];
+                for (row, &from) in rows.chunks_exact_mut(values).zip(column) {
+                    row[index] = from;
+                }
             }
         }
         rows.into()

@@ -6,6 +6,7 @@ use crate::error::{misshapen, value_error};
 use crate::options::{Asked, Options};
 use crate::shape::{EIGHT, SIX};
 use crate::threads::whole;
+use crate::trajectory::rows;
 use dq8::DualQuat;
 use dq8_trajectory as trajectory;
 use dq8_trajectory::{Basis, TrajectoryError};
@@ -84,9 +85,7 @@ impl Spline {
     /// The control poses, shape (n, 8), float64.
     #[getter]
     fn control<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let rows: Vec<_> =
-            self.spline.control().iter().map(|pose| pose.to_array().to_vec()).collect();
-        PyArray2::from_vec2(py, &rows).map_err(value_error)
+        rows(py, self.spline.control())
     }
 
     /// The times of the first knot and of the last one, in seconds.
@@ -207,9 +206,9 @@ impl Spline {
     }
 }
 
-/// From so many control poses on, other threads of Python run while a spline is made, and Ctrl-C
-/// ends the call: some milliseconds of work.
-const LARGE: usize = 1 << 14;
+/// From so many poses on, other threads of Python run while a spline is made or a trajectory is
+/// sorted, and Ctrl-C ends the call: some milliseconds of work.
+pub(crate) const LARGE: usize = 1 << 14;
 
 impl Spline {
     /// One kernel for both: another one would take forty kilobytes of the wheel.

@@ -8,10 +8,12 @@ use crate::options::{Asked, Options};
 use crate::output::Output;
 use crate::pieces::{in_pieces, size};
 use crate::shape::{EIGHT, NUMBER, SIX};
-use crate::threads::Threads;
+use crate::spline::LARGE;
+use crate::threads::{GRAIN, Threads, whole};
 use dq8::{DualQuat, Twist};
 use dq8_trajectory::files::{self, FileError, Format};
 use dq8_trajectory::{Job, OwnedTrajectory, Trajectory as View, TrajectoryError};
+use numpy::prelude::*;
 use numpy::{PyArray1, PyArray2};
 use pyo3::exceptions::{PyUserWarning, PyValueError};
 use pyo3::prelude::*;
@@ -46,8 +48,9 @@ pub struct Trajectory {
     pub(crate) path: OwnedTrajectory,
 }
 
-/// Stamps and poses, which may differ in number.
+/// Copies of as many stamps as poses, made while other threads of Python run.
 fn stamped(
+    py: Python<'_>,
     stamps: &Bound<'_, PyAny>,
     poses: &Bound<'_, PyAny>,
 ) -> PyResult<(Vec<f64>, Vec<DualQuat<f64>>)> {
@@ -62,8 +65,24 @@ fn stamped(
         return Err(misshapen("poses", &format!("({count}, 8)"), &poses.shape()));
     }
     let (stamps, poses) = (stamps.in_full()?, poses.in_full()?);
-    let motions = poses.records::<8>().iter().map(|pose| DualQuat::from_array(*pose));
-    Ok((stamps.numbers().to_vec(), motions.collect()))
+    let (stamps, poses) = (stamps.numbers(), poses.records::<8>());
+    let threads = Threads::alone();
+    threads.run(py, || {
+        let mut motions = Vec::with_capacity(count);
+        for piece in poses.chunks(GRAIN).take_while(|_| !threads.interrupted()) {
+            motions.extend(piece.iter().map(|pose| DualQuat::from_array(*pose)));
+        }
+        Ok((stamps.to_vec(), motions))
+    })
+}
+
+/// Poses as an array, a row for each.
+pub(crate) fn rows<'py>(
+    py: Python<'py>,
+    poses: &[DualQuat<f64>],
+) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    let numbers: &[f64] = bytemuck::must_cast_slice(poses);
+    PyArray1::from_slice(py, numbers).reshape([poses.len(), 8])
 }
 
 /// With the name of the argument that it is about.
@@ -100,17 +119,24 @@ fn format_of(name: &str) -> PyResult<Format> {
 #[pymethods]
 impl Trajectory {
     #[new]
-    fn new(stamps: &Bound<'_, PyAny>, poses: &Bound<'_, PyAny>) -> PyResult<Self> {
-        let (stamps, poses) = stamped(stamps, poses)?;
-        Ok(Self { path: OwnedTrajectory::new(stamps, poses).map_err(named)? })
+    fn new(py: Python<'_>, stamps: &Bound<'_, PyAny>, poses: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let (stamps, poses) = stamped(py, stamps, poses)?;
+        let path = py.detach(|| OwnedTrajectory::new(stamps, poses));
+        Ok(Self { path: path.map_err(named)? })
     }
 
     /// A trajectory of stamps in any order, and the number of poses that were dropped: of equal
     /// stamps the first pose is kept.
     #[staticmethod]
-    fn sorted(stamps: &Bound<'_, PyAny>, poses: &Bound<'_, PyAny>) -> PyResult<(Self, usize)> {
-        let (stamps, poses) = stamped(stamps, poses)?;
-        let (path, dropped) = OwnedTrajectory::sorted(&stamps, &poses).map_err(named)?;
+    fn sorted(
+        py: Python<'_>,
+        stamps: &Bound<'_, PyAny>,
+        poses: &Bound<'_, PyAny>,
+    ) -> PyResult<(Self, usize)> {
+        let (stamps, poses) = stamped(py, stamps, poses)?;
+        let large = stamps.len() >= LARGE;
+        let sort = move || OwnedTrajectory::sorted(&stamps, &poses);
+        let (path, dropped) = if large { whole(py, sort)? } else { sort() }.map_err(named)?;
         Ok((Self { path }, dropped))
     }
 
@@ -164,9 +190,7 @@ impl Trajectory {
     /// The poses, shape (n, 8), float64.
     #[getter]
     pub(crate) fn poses<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let rows: &[[f64; 8]] = bytemuck::must_cast_slice(self.path.poses());
-        let rows: Vec<_> = rows.iter().map(|row| row.to_vec()).collect();
-        PyArray2::from_vec2(py, &rows).map_err(value_error)
+        rows(py, self.path.poses())
     }
 
     /// The first stamp and the last, in seconds.

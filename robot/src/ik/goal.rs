@@ -81,6 +81,7 @@ impl<R: Real> Goal<R> {
 
 impl<R: Real> Goal<R> {
     /// Returns the number of components with a weight.
+    #[inline]
     pub(super) fn rows(&self) -> usize {
         let mut rows = 0;
         for weight in self.angular.into_iter().chain(self.linear) {
@@ -109,6 +110,7 @@ impl<R: Real> Goal<R> {
 
     /// Returns `true` if all six components have a weight. Then the error is the twist of a single
     /// screw motion.
+    #[inline]
     pub(super) fn is_pose(&self) -> bool {
         let [x, y, z] = self.linear;
         let all = x > R::ZERO && y > R::ZERO && z > R::ZERO;

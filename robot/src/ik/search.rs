@@ -478,6 +478,7 @@ impl<R: Real> Lane<R> {
     /// reach the targets are better than values that miss a tolerance, even if the latter have a
     /// smaller squared error. Among values that reach the targets, the values nearest to the
     /// posture are best.
+    #[cfg_attr(not(target_os = "none"), inline)]
     fn is_best(&self, measured: &Measured<R>, arrived: bool) -> bool {
         match (self.is_new, self.converged) {
             (true, _) => true,
@@ -498,6 +499,7 @@ impl<R: Real> Lane<R> {
     /// Returns the next action of a lane that is not at its targets. It is a step, unless the lane
     /// is stuck. A lane that is stuck restarts if it may, or ends. In the last part of the
     /// iterations the lane steps from its best values, without restarts.
+    #[cfg_attr(not(target_os = "none"), inline)]
     fn toward_targets<const RESTARTS: bool>(
         &mut self,
         measured: &Measured<R>,
@@ -568,6 +570,7 @@ impl<R: Real> Lane<R> {
     /// Returns the next action of a lane that has reached its targets: a step toward the posture,
     /// until values at the targets come no nearer to the posture, or the changes become small.
     /// Single steps may leave the targets, because they follow the null space only to first order.
+    #[cfg_attr(not(target_os = "none"), inline)]
     fn toward_posture(
         &mut self,
         measured: &Measured<R>,
@@ -605,6 +608,7 @@ impl<R: Real> Lane<R> {
     }
 
     /// Returns the report of a search that ends.
+    #[cfg_attr(not(target_os = "none"), inline)]
     fn report(&self, is_at_limits: bool) -> Report<R> {
         match self.outcome(is_at_limits) {
             Outcome::Invalid => Report::INVALID,

@@ -116,14 +116,10 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
     /// unknowns of the equations are in radians.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn scale_slides(&mut self) {
-        let (level, reach) = (self.level, self.reach);
-        let mut scale = |at: usize| {
-            let twist = Twist::from_array(self.scratch.twists.record(level, at));
-            self.scratch.twists.set_record(at, twist.scale(self.scales.length).to_array());
-        };
+        let reach = self.reach;
         if !reach.facts.any_mimics {
             for freedom in reach.freedoms.iter().filter(|freedom| freedom.is_slide()) {
-                scale(freedom.twist_row as usize);
+                self.scale_slide(freedom.twist_row as usize);
             }
             return;
         }
@@ -131,10 +127,17 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
             for index in 0..step.kind.rates() {
                 let freedom = reach.freedoms.get(reach.column(step.rate as usize + index));
                 if freedom.is_some_and(Freedom::is_slide) && reach.moves_goal(position) {
-                    scale((step.twist as usize + index) * 6);
+                    self.scale_slide((step.twist as usize + index) * 6);
                 }
             }
         }
+    }
+
+    /// Multiplies the twist at the row `at` of the scratch by the length per radian.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn scale_slide(&mut self, at: usize) {
+        let twist = Twist::from_array(self.scratch.twists.record(self.level, at));
+        self.scratch.twists.set_record(at, twist.scale(self.scales.length).to_array());
     }
 
     /// Computes the row of a freedom in the normal equations: its right-hand side, and the entries

@@ -233,15 +233,20 @@ pub(super) unsafe fn f64x4_sum([a, b, c, d]: [__m256d; 4]) -> __m256d {
     // SAFETY: the caller guarantees that the CPU has the instructions of this register, and they
     // access no memory.
     unsafe {
-        let [ac, bd] = [[a, c], [b, d]].map(
-            #[cfg_attr(not(opt_level_0), inline(always))]
-            |[a, c]| {
-                let (low, high) =
-                    (_mm256_permute2f128_pd::<0x20>(a, c), _mm256_permute2f128_pd::<0x31>(a, c));
-                _mm256_add_pd(low, high) // a₀+a₂ a₁+a₃ c₀+c₂ c₁+c₃
-            },
-        );
+        // a₀+a₂ a₁+a₃ c₀+c₂ c₁+c₃
+        let (ac, bd) = (sum_of_halves(a, c), sum_of_halves(b, d));
         _mm256_add_pd(_mm256_unpacklo_pd(ac, bd), _mm256_unpackhi_pd(ac, bd))
+    }
+}
+
+/// Adds the halves of `a` to each other, into the lower half of the result, and those of `c`, into
+/// the upper half.
+#[cfg_attr(not(opt_level_0), inline(always))]
+unsafe fn sum_of_halves(a: __m256d, c: __m256d) -> __m256d {
+    // SAFETY: the caller guarantees that the CPU has the instructions of this register, and they
+    // access no memory.
+    unsafe {
+        _mm256_add_pd(_mm256_permute2f128_pd::<0x20>(a, c), _mm256_permute2f128_pd::<0x31>(a, c))
     }
 }
 
