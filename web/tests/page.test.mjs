@@ -43,6 +43,8 @@ const dropped = (name, body, on = page, others = []) => {
     return told.className + "|" + told.textContent;
   })()`);
 };
+/** Waits until the robot's hand is where its worker has brought it. */
+const arrived = (on = page) => on.until("!dq8.robot.asked");
 /** Goes to a panel, and waits until it has been seen. */
 const go = async (section, on = page) => {
   await on.evaluate(`document.getElementById("${section}").scrollIntoView()`);
@@ -143,7 +145,8 @@ test("on a phone a swipe over a picture scrolls, across it turns it, and on the 
   })()`);
   const before = await phone.evaluate("dq8.robot.goal");
   await phone.swipe(x, y, -10, -30);
-  const { hand, goal } = await phone.evaluate("dq8.robot");
+  await arrived(phone);
+  const { hand, goal } = await phone.evaluate("({ hand: dq8.robot.hand, goal: dq8.robot.goal })");
   assert.ok(goal[2] - before[2] > 0.01, `${before} to ${goal}`);
   hand.forEach((value, k) => near(value, goal[k], 1e-4, "the hand"));
   assert.equal(await phone.evaluate("scrollY"), scroll, "a finger on the ring does not scroll");
@@ -291,6 +294,7 @@ test("the hand follows the keys, and words say what it cannot reach", async () =
   await page.evaluate(`document.querySelector("#robot canvas[tabindex]").focus()`);
   const before = await page.evaluate("dq8.robot.hand");
   for (let i = 0; i < 3; i++) await page.key("ArrowLeft");
+  await arrived();
   const { hand, goal, report } = await page.evaluate(
     "({ hand: dq8.robot.hand, goal: dq8.robot.goal, report: dq8.robot.report })",
   );
@@ -299,8 +303,10 @@ test("the hand follows the keys, and words say what it cannot reach", async () =
   hand.forEach((x, k) => near(x, goal[k], 2e-5, "the hand"));
   assert.match(await said("robot"), /The hand is there/);
   for (let i = 0; i < 80; i++) await page.key("ArrowUp");
+  await arrived();
   assert.match(await said("robot"), /Too far: the arm is stretched toward it, and \d+ mm are missing/);
   for (let i = 0; i < 80; i++) await page.key("ArrowDown");
+  await arrived();
   assert.match(await said("robot"), /The hand is there|As near as it gets|limits/);
 });
 
@@ -389,6 +395,7 @@ test("a browser whose workers are no modules says so", async () => {
     await dropped("legs.bvh", BVH, old),
     /^bad\|legs\.bvh: its reader, a worker that is a module, does not start, as in browsers before 2023: .*import/,
   );
+  assert.match(await said("robot", old), /^its reader, a worker that is a module, does not start/);
   await old.close();
 });
 
@@ -422,6 +429,7 @@ test("a robot with nothing that moves is told and changes nothing; another takes
     assert.deepEqual(await page.evaluate("[dq8.robot.goal, dq8.robot.hand]"), before);
     await page.evaluate(`document.querySelector("#robot canvas[tabindex]").focus()`);
     await page.key("ArrowLeft");
+    await arrived();
     assert.notDeepEqual(await page.evaluate("dq8.robot.goal"), before[0], "keys still move its goal");
     assert.match(await said("robot"), /The hand is there|As near as it gets|limits/);
   }
@@ -457,6 +465,54 @@ test("a long file is read in a worker, with a bar, and can be given up", async (
   assert.equal(await page.evaluate(`document.getElementById("reading").hidden`), true);
   assert.equal(await page.evaluate("dq8.yours.name"), before, "what played goes on");
   assert.match(await dropped("legs.bvh", BVH), /^\|legs\.bvh: 3 joints/, "the next file is read");
+});
+
+test("a long URDF is read in a worker, and can be given up; one of too many links to be drawn is told", async () => {
+  const before = await page.evaluate("[dq8.robot.goal, dq8.robot.hand]");
+  await page.evaluate(`{
+    const visual = '<visual><geometry><mesh filename="package://robot/part.dae"/></geometry></visual>\\n';
+    const data = new DataTransfer(), parts = Array(800).fill(visual.repeat(1000));
+    data.items.add(new File(['<robot name="r"><link name="a">', ...parts, "</link></robot>"], "long.urdf"));
+    document.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }));
+  }`);
+  await page.until(`!document.getElementById("reading").hidden`);
+  // While it is read, the page goes on, and the robot of before follows keys.
+  await page.evaluate(`document.querySelector("#robot canvas[tabindex]").focus()`);
+  await page.key("ArrowLeft");
+  await arrived();
+  assert.notDeepEqual(await page.evaluate("dq8.robot.hand"), before[1]);
+  assert.equal(await page.evaluate(`document.getElementById("reading").hidden`), false);
+  await page.evaluate(`document.querySelector("#reading button").click()`);
+  await page.until(`document.getElementById("told").textContent === "long.urdf: given up"`);
+  await page.key("ArrowRight");
+  await arrived();
+  const after = await page.evaluate("[dq8.robot.goal, dq8.robot.hand]");
+  after.flat().forEach((x, k) => near(x, before.flat()[k], 1e-3, "the robot of before"));
+  const joint = (i) => `<link name="l${i}"/><joint name="j${i}" type="continuous">
+    <parent link="l${i - 1}"/><child link="l${i}"/></joint>`;
+  const links = Array.from({ length: 2000 }, (_, i) => joint(i + 1)).join("");
+  assert.match(
+    await dropped("many.urdf", `<robot name="r"><link name="l0"/>${links}</robot>`),
+    /^bad\|many\.urdf: it has 2001 links, of which at most 2000 are drawn here$/,
+  );
+  assert.deepEqual(await page.evaluate("[dq8.robot.goal, dq8.robot.hand]"), after);
+});
+
+test("where the hand is asked to go before it has come, it goes to the last place", async () => {
+  const [asked, way] = await page.evaluate(`(async () => {
+    const canvas = document.querySelector("#robot canvas[tabindex]"), places = [];
+    const own = Worker.prototype.postMessage;
+    Worker.prototype.postMessage = function (goal) {
+      places.push(goal);
+      return own.call(this, goal);
+    };
+    for (let i = 0; i < 20; i++) canvas.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowLeft" }));
+    while (dq8.robot.asked) await new Promise((later) => setTimeout(later, 5));
+    Worker.prototype.postMessage = own;
+    return [places, dq8.robot.goal];
+  })()`);
+  assert.equal(asked.length, 2, "of twenty places the first and the last");
+  assert.deepEqual(asked[1], way);
 });
 
 test("keys reach every panel, turn it and move its sliders", async () => {
