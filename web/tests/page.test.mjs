@@ -438,52 +438,67 @@ test("a robot with nothing that moves is told and changes nothing; another takes
   assert.match(await page.evaluate(`document.querySelector("#robot .about").textContent`), /^\d joints of arm6\.urdf,/);
 });
 
+/**
+ * Drops a file of many parts, waits in the page until `ready` while it is read, runs `then` there, and gives up. Says
+ * what `then` has given, and whether the file was read all the while.
+ */
+const givenUp = (name, parts, ready, then) =>
+  page.evaluate(`(async () => {
+    const reading = document.getElementById("reading"), bar = reading.querySelector("progress");
+    const told = document.getElementById("told");
+    const pause = (time) => new Promise((later) => setTimeout(later, time));
+    const data = new DataTransfer();
+    told.textContent = "";
+    data.items.add(new File(${parts}, ${JSON.stringify(name)}));
+    document.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }));
+    while (!told.textContent && (reading.hidden || !(${ready}))) await pause(5);
+    const answer = await (${then})(), goesOn = !reading.hidden;
+    reading.querySelector("button").click();
+    while (!told.textContent) await pause(5);
+    return [answer, goesOn, reading.hidden, told.textContent];
+  })()`);
+
 test("a long file is read in a worker, with a bar, and can be given up", async () => {
   await page.evaluate(`document.getElementById("stop").checked = true`);
   const before = await page.evaluate("dq8.yours.name");
-  await page.evaluate(`{
-    const rows = "0 1 0 0 0 0 0 10 0\\n".repeat(20000), copies = 120;
-    const [before] = ${JSON.stringify(BVH)}.split("0 1 0 0 0 0 0 10 0"),
-      head = before.replace("Frames: 2", "Frames: " + 20000 * copies);
-    const data = new DataTransfer();
-    data.items.add(new File([head, ...Array(copies).fill(rows)], "long.bvh"));
-    document.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }));
-  }`);
-  await page.until(`!document.getElementById("reading").hidden && document.querySelector("progress").value > 0`);
-  // The page goes on while it is read.
-  const [part, later, hidden] = await page.evaluate(`new Promise((done) => {
-    const bar = document.querySelector("progress"), part = bar.value;
-    let left = 10;
-    const tick = () => {
-      if (left--) setTimeout(tick, 20); else done([part, bar.value, document.getElementById("reading").hidden]);
-    };
-    tick();
-  })`);
-  assert.ok(later > part && !hidden, `${part} to ${later}`);
-  await page.evaluate(`document.querySelector("#reading button").click()`);
-  await page.until(`document.getElementById("told").textContent === "long.bvh: given up"`);
-  assert.equal(await page.evaluate(`document.getElementById("reading").hidden`), true);
+  const [head] = BVH.split("0 1 0 0 0 0 0 10 0"),
+    rows = `Array(120).fill("0 1 0 0 0 0 0 10 0\\n".repeat(20000))`;
+  const [[part, later], ...rest] = await givenUp(
+    "long.bvh",
+    `[${JSON.stringify(head.replace("Frames: 2", `Frames: ${120 * 20000}`))}, ...${rows}]`,
+    "bar.value > 0",
+    // The page goes on while it is read.
+    `async () => {
+      const part = bar.value;
+      for (let i = 0; i < 10; i++) await pause(20);
+      return [part, bar.value];
+    }`,
+  );
+  assert.ok(later > part, `${part} to ${later}`);
+  assert.deepEqual(rest, [true, true, "long.bvh: given up"]);
   assert.equal(await page.evaluate("dq8.yours.name"), before, "what played goes on");
   assert.match(await dropped("legs.bvh", BVH), /^\|legs\.bvh: 3 joints/, "the next file is read");
 });
 
 test("a long URDF is read in a worker, and can be given up; one of too many links to be drawn is told", async () => {
-  const before = await page.evaluate("[dq8.robot.goal, dq8.robot.hand]");
-  await page.evaluate(`{
-    const visual = '<visual><geometry><mesh filename="package://robot/part.dae"/></geometry></visual>\\n';
-    const data = new DataTransfer(), parts = Array(800).fill(visual.repeat(1000));
-    data.items.add(new File(['<robot name="r"><link name="a">', ...parts, "</link></robot>"], "long.urdf"));
-    document.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }));
-  }`);
-  await page.until(`!document.getElementById("reading").hidden`);
-  // While it is read, the page goes on, and the robot of before follows keys.
+  const before = await page.evaluate("[dq8.robot.goal, dq8.robot.hand]"),
+    visual = '<visual><geometry><mesh filename="package://robot/part.dae"/></geometry></visual>\n',
+    visuals = `Array(800).fill(${JSON.stringify(visual.repeat(1000))})`;
+  const [hand, ...rest] = await givenUp(
+    "long.urdf",
+    `['<robot name="r"><link name="a">', ...${visuals}, "</link></robot>"]`,
+    "true",
+    // The robot of before follows keys while it is read.
+    `async () => {
+      const canvas = document.querySelector("#robot canvas[tabindex]");
+      canvas.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowLeft" }));
+      while (dq8.robot.asked) await pause(5);
+      return dq8.robot.hand;
+    }`,
+  );
+  assert.deepEqual(rest, [true, true, "long.urdf: given up"]);
+  assert.ok(Math.hypot(...hand.map((x, k) => x - before[1][k])) > 0.005, `${before[1]} to ${hand}`);
   await page.evaluate(`document.querySelector("#robot canvas[tabindex]").focus()`);
-  await page.key("ArrowLeft");
-  await arrived();
-  assert.notDeepEqual(await page.evaluate("dq8.robot.hand"), before[1]);
-  assert.equal(await page.evaluate(`document.getElementById("reading").hidden`), false);
-  await page.evaluate(`document.querySelector("#reading button").click()`);
-  await page.until(`document.getElementById("told").textContent === "long.urdf: given up"`);
   await page.key("ArrowRight");
   await arrived();
   const after = await page.evaluate("[dq8.robot.goal, dq8.robot.hand]");
