@@ -99,8 +99,8 @@ fn rows(motions: &[Motion], matrices: &mut Vec<Row>) -> Result<(), ShapeError> {
     Backend::best().matrices(motions, MatrixOrder::Rows, matrices)
 }
 
-/// Whether a mesh of positions alone, of four influences, has been posed linearly. What does not fit
-/// is an error of the other way.
+/// Whether a mesh of positions alone, of four influences, has been posed linearly. What does not
+/// fit is an error of the other way.
 fn by_columns(owned: &mut OwnedSkin, mesh: &Mesh) -> bool {
     let OwnedSkin { skin, joints, weights, matrices, columns } = owned;
     // SAFETY: what the mesh names is there, and what is posed lies apart.
