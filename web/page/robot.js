@@ -58,6 +58,8 @@ export function robot(section) {
     made = next;
     made.rods = new Rods(made.parents.length);
     made.worker.onmessage = ({ data }) => {
+      // An answer may be under way when another file takes its place.
+      if (made !== next) return;
       Object.assign(made, data, { asked: false });
       if (made.late) ask();
       update(true);

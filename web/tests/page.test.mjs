@@ -440,10 +440,13 @@ test("a robot with nothing that moves is told and changes nothing; another takes
 
 /**
  * Drops a file of many parts, waits in the page until `ready` while it is read, runs `then` there, and gives up. Says
- * what `then` has given, and whether the file was read all the while.
+ * what `then` has given, and whether the file was read all the while. Nothing else is drawn, which takes turns of the
+ * page where WebGL is computed.
  */
-const givenUp = (name, parts, ready, then) =>
-  page.evaluate(`(async () => {
+const givenUp = async (name, parts, ready, then) => {
+  await go("between");
+  await page.until("!dq8.crowd.scene.seen");
+  return page.evaluate(`(async () => {
     const reading = document.getElementById("reading"), bar = reading.querySelector("progress");
     const told = document.getElementById("told");
     const pause = (time) => new Promise((later) => setTimeout(later, time));
@@ -457,6 +460,7 @@ const givenUp = (name, parts, ready, then) =>
     while (!told.textContent) await pause(5);
     return [answer, goesOn, reading.hidden, told.textContent];
   })()`);
+};
 
 test("a long file is read in a worker, with a bar, and can be given up", async () => {
   await page.evaluate(`document.getElementById("stop").checked = true`);
