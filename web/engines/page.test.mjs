@@ -84,6 +84,7 @@ test("all panels are drawn, with their numbers", async () => {
 test("keys move the hand of the robot", async () => {
   const before = await page.evaluate("dq8.robot.hand");
   await page.type("#robot canvas[tabindex]", "ArrowLeft");
+  await page.until("!dq8.robot.asked");
   const hand = await page.evaluate("dq8.robot.hand");
   assert.ok(Math.hypot(...hand.map((x, k) => x - before[k])) > 0.005, `${before} to ${hand}`);
   assert.match(await said("robot"), /The hand is there/);

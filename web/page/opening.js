@@ -1,4 +1,5 @@
 // Files that are chosen or dropped: they are read in a worker, with a bar, and can be given up.
+import { read } from "./reading.js";
 
 const section = (id) => document.getElementById(id),
   told = section("told"),
@@ -14,38 +15,25 @@ function tell(text, bad) {
   told.textContent = text;
 }
 
-/** What a worker makes of a file; undefined if it is given up, by its reader or by a next file. */
-function read(kind, file) {
-  return new Promise((resolve, reject) => {
-    const worker = new Worker(new URL("reader.js", import.meta.url), { type: "module" }),
-      shown = setTimeout(() => (reading.hidden = false), SOON);
-    let answers = false;
-    const end = () => {
-      clearTimeout(shown);
-      worker.terminate();
-      reading.hidden = true;
-      giveUp = undefined;
-    };
+/** What a worker makes of a file, with a bar; undefined if it is given up, by its reader or by a next file. */
+function shown(kind, file) {
+  const { worker, made } = read(kind, file, (part) => (bar.value = part)),
+    later = setTimeout(() => (reading.hidden = false), SOON);
+  bar.removeAttribute("value");
+  reading.querySelector("span").textContent = `Reading ${file.name}`;
+  const end = () => {
+    clearTimeout(later);
+    reading.hidden = true;
+    giveUp = undefined;
+  };
+  const given = new Promise((resolve) => {
     giveUp = () => {
       end();
+      worker.terminate();
       resolve();
     };
-    bar.removeAttribute("value");
-    reading.querySelector("span").textContent = `Reading ${file.name}`;
-    worker.onmessage = ({ data: { part, made, error } }) => {
-      answers = true;
-      if (part !== undefined) return void (bar.value = part);
-      end();
-      if (made) resolve(made);
-      else reject(new Error(error));
-    };
-    worker.onerror = ({ message = "no reason is known" }) => {
-      end();
-      const why = answers ? "its reader failed" : "its reader, a worker that is a module, does not start";
-      reject(new Error(`${why}${answers ? "" : ", as in browsers before 2023"}: ${message}`));
-    };
-    worker.postMessage({ kind, file });
   });
+  return Promise.race([given, made.finally(end)]);
 }
 
 /** Plays files; a bad one is told, and changes nothing. */
@@ -60,18 +48,15 @@ export function opening(robot, yours) {
     giveUp?.();
     try {
       const kind = /\.(\w+)$/.exec(file.name)?.[1].toLowerCase();
-      let what;
-      if (kind === "urdf") {
-        what = robot.show(file.name, new Uint8Array(await file.arrayBuffer()));
-        section("robot").scrollIntoView();
-      } else if (kind === "bvh" || kind === "glb") {
-        const made = await read(kind, file);
-        if (!made) return tell(`${file.name}: given up`);
-        what = yours.show(file.name, made);
-      } else {
+      if (!["bvh", "glb", "urdf"].includes(kind)) {
         const hint = kind === "gltf" ? "; a .glb has in one file what a .gltf has in several" : "";
         throw new Error(`none of .glb, .bvh, .urdf${hint}`);
       }
+      const made = await shown(kind, file);
+      if (!made) return tell(`${file.name}: given up`);
+      if (kind !== "urdf") made.worker.terminate();
+      const what = (kind === "urdf" ? robot : yours).show(file.name, made);
+      if (kind === "urdf") section("robot").scrollIntoView();
       tell(`${file.name}: ${what}${more}`);
     } catch (error) {
       tell(`${file.name}: ${error.message}${more}`, true);

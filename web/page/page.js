@@ -1,22 +1,25 @@
 import load from "../package/dq8.js";
-import loadRobots from "../package/robots.js";
 import { between } from "./between.js";
 import { crowd } from "./crowd.js";
 import { opening } from "./opening.js";
+import { read } from "./reading.js";
 import { robot } from "./robot.js";
+import { escaped } from "./scene.js";
 import { sleeve } from "./sleeve.js";
 import { yours } from "./yours.js";
 
 const section = (id) => document.getElementById(id),
   state = (window.dq8 = {}),
-  arm = fetch("../../robot/robots/arm7.urdf").then((answer) => answer.text());
+  arm = fetch("../../robot/robots/arm7.urdf").then(async (answer) => read("urdf", await answer.blob()).made);
 try {
-  const [dq8, robots, urdf] = await Promise.all([load(), loadRobots(), arm]);
+  const dq8 = await load();
   state.crowd = crowd(dq8, section("crowd"));
   state.sleeve = sleeve(dq8, section("sleeve"));
-  state.robot = robot(robots, section("robot"), urdf);
+  state.robot = robot(section("robot"));
   state.between = between(dq8, section("between"));
   state.yours = yours(dq8, section("yours"));
+  // Without an arm the rest goes on.
+  await arm.then((it) => state.robot.show("an arm", it), ({ message }) => state.robot.scene.tell(escaped(message)));
   opening(state.robot, state.yours);
   state.ready = true;
 } catch (error) {

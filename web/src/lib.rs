@@ -15,6 +15,8 @@ mod crowd;
 mod error;
 #[cfg(feature = "skeletons")]
 mod limb;
+#[cfg(feature = "skeletons")]
+mod linear;
 mod memory;
 #[cfg(feature = "skeletons")]
 mod motions;

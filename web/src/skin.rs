@@ -2,6 +2,7 @@
 
 use crate::Motion;
 use crate::error::{made, status};
+use crate::linear::{ByColumns, Packed};
 use crate::memory::{exports, frees, slice, slice_mut};
 use dq8::hierarchy::MatrixOrder;
 use dq8::skinning::{Blender, DualBlend, Linear, Mixed, Skin, SkinningError, Surface, SurfaceMut};
@@ -13,10 +14,11 @@ type Row = [[f32; 4]; 3];
 /// checked.
 #[derive(Debug)]
 struct OwnedSkin {
-    _joints: Box<[u16]>,
-    _weights: Box<[f32]>,
+    joints: Box<[u16]>,
+    weights: Box<[f32]>,
     /// What linear blends read, made of the motions.
     matrices: Vec<Row>,
+    columns: Vec<Packed>,
     /// Borrows the two boxes, which stay where they are for as long as this lives.
     skin: Skin<'static, u16, f32>,
 }
@@ -35,7 +37,7 @@ impl OwnedSkin {
             (slice(joints.as_ptr(), joints.len()), slice(weights.as_ptr(), weights.len()))
         };
         let skin = Skin::new(joint_count, influences, lasting.0, lasting.1)?;
-        Ok(Self { _joints: joints, _weights: weights, matrices: Vec::new(), skin })
+        Ok(Self { joints, weights, matrices: Vec::new(), columns: Vec::new(), skin })
     }
 }
 
@@ -92,14 +94,38 @@ impl Mesh {
 }
 
 /// The motions of the joints as linear blends read them.
-fn rows<'m>(motions: &[Motion], matrices: &'m mut Vec<Row>) -> Result<&'m [Row], ShapeError> {
+fn rows(motions: &[Motion], matrices: &mut Vec<Row>) -> Result<(), ShapeError> {
     matrices.resize(motions.len(), Row::default());
-    Backend::best().matrices(motions, MatrixOrder::Rows, matrices)?;
-    Ok(matrices)
+    Backend::best().matrices(motions, MatrixOrder::Rows, matrices)
+}
+
+/// Whether a mesh of positions alone, of four influences, has been posed linearly. What does not
+/// fit is an error of the other way.
+fn by_columns(owned: &mut OwnedSkin, mesh: &Mesh) -> bool {
+    let OwnedSkin { skin, joints, weights, matrices, columns } = owned;
+    // SAFETY: what the mesh names is there, and what is posed lies apart.
+    let (rest, posed) =
+        unsafe { (slice(mesh.rest, mesh.rest_count), slice_mut(mesh.posed, mesh.posed_count)) };
+    let fits =
+        [rest.len(), posed.len()] == [skin.vertices(); 2] && matrices.len() == skin.joint_count();
+    if !fits || skin.influences() != 4 || !mesh.normals.is_null() {
+        return false;
+    }
+    columns.clear();
+    columns.extend(matrices.iter().map(|rows| {
+        let mut packed = Packed::default();
+        for (i, number) in packed.as_flattened_mut().iter_mut().enumerate() {
+            *number = rows[i % 3][i / 3];
+        }
+        packed
+    }));
+    let (joints, weights) = (joints.as_chunks().0, weights.as_chunks().0);
+    Backend::best().run(ByColumns { joints, weights, matrices: columns, rest, posed });
+    true
 }
 
 fn pose(
-    OwnedSkin { skin, matrices, .. }: &mut OwnedSkin,
+    owned: &mut OwnedSkin,
     blend: u32,
     mesh: &Mesh,
     motions: &[Motion],
@@ -109,12 +135,16 @@ fn pose(
     // SAFETY: what the mesh names is there, and what is posed lies apart, as the package promises.
     unsafe {
         if blend == 0 {
-            return mesh.pose(skin, dual);
+            return mesh.pose(&owned.skin, dual);
         }
-        let rows = Linear::new(rows(motions, matrices)?);
+        rows(motions, &mut owned.matrices)?;
+        if blend == 1 && by_columns(owned, mesh) {
+            return Ok(());
+        }
+        let rows = Linear::new(&owned.matrices);
         if blend == 1 {
-            return mesh.pose(skin, rows);
+            return mesh.pose(&owned.skin, rows);
         }
-        mesh.pose(skin, Mixed::new(rows, dual, shares)?)
+        mesh.pose(&owned.skin, Mixed::new(rows, dual, shares)?)
     }
 }

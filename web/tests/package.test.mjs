@@ -137,10 +137,16 @@ for (const level of levels)
       const [rest, normals, shares] = ["rest", "normals", "shares"].map((name) => dq8.floats(given[name]));
       const [posed, posedNormals] = [dq8.floats(3 * VERTICES), dq8.floats(3 * VERTICES)];
       const first = dq8.motions(plain.view.slice(0, 8 * JOINTS));
+      const room = dq8.floats(3 * VERTICES + 4),
+        bare = room.subarray(0, 3 * VERTICES);
       for (const blend of ["dual", "linear", "mixed"]) {
         skin.pose({ blend, motions: first, shares, rest, posed, normals, posedNormals });
         check(`${blend} skin`, posed, 2e-5);
         check(`${blend} skin, normals`, posedNormals, 2e-5);
+        room.view.fill(7);
+        skin.pose({ blend, motions: first, shares, rest, posed: bare });
+        assert.deepEqual(bare.view, posed.view, `${blend} skin: positions without normals have the same bits`);
+        assert.deepEqual([...room.view.slice(-4)], [7, 7, 7, 7], `${blend} skin: nothing behind them is written`);
       }
       const robot = robots.robot(urdf),
         links = robot.linkNames.length,

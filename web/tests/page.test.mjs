@@ -43,6 +43,8 @@ const dropped = (name, body, on = page, others = []) => {
     return told.className + "|" + told.textContent;
   })()`);
 };
+/** Waits until the robot's hand is where its worker has brought it. */
+const arrived = (on = page) => on.until("!dq8.robot.asked");
 /** Goes to a panel, and waits until it has been seen. */
 const go = async (section, on = page) => {
   await on.evaluate(`document.getElementById("${section}").scrollIntoView()`);
@@ -143,7 +145,8 @@ test("on a phone a swipe over a picture scrolls, across it turns it, and on the 
   })()`);
   const before = await phone.evaluate("dq8.robot.goal");
   await phone.swipe(x, y, -10, -30);
-  const { hand, goal } = await phone.evaluate("dq8.robot");
+  await arrived(phone);
+  const { hand, goal } = await phone.evaluate("({ hand: dq8.robot.hand, goal: dq8.robot.goal })");
   assert.ok(goal[2] - before[2] > 0.01, `${before} to ${goal}`);
   hand.forEach((value, k) => near(value, goal[k], 1e-4, "the hand"));
   assert.equal(await phone.evaluate("scrollY"), scroll, "a finger on the ring does not scroll");
@@ -291,6 +294,7 @@ test("the hand follows the keys, and words say what it cannot reach", async () =
   await page.evaluate(`document.querySelector("#robot canvas[tabindex]").focus()`);
   const before = await page.evaluate("dq8.robot.hand");
   for (let i = 0; i < 3; i++) await page.key("ArrowLeft");
+  await arrived();
   const { hand, goal, report } = await page.evaluate(
     "({ hand: dq8.robot.hand, goal: dq8.robot.goal, report: dq8.robot.report })",
   );
@@ -299,8 +303,10 @@ test("the hand follows the keys, and words say what it cannot reach", async () =
   hand.forEach((x, k) => near(x, goal[k], 2e-5, "the hand"));
   assert.match(await said("robot"), /The hand is there/);
   for (let i = 0; i < 80; i++) await page.key("ArrowUp");
+  await arrived();
   assert.match(await said("robot"), /Too far: the arm is stretched toward it, and \d+ mm are missing/);
   for (let i = 0; i < 80; i++) await page.key("ArrowDown");
+  await arrived();
   assert.match(await said("robot"), /The hand is there|As near as it gets|limits/);
 });
 
@@ -389,6 +395,7 @@ test("a browser whose workers are no modules says so", async () => {
     await dropped("legs.bvh", BVH, old),
     /^bad\|legs\.bvh: its reader, a worker that is a module, does not start, as in browsers before 2023: .*import/,
   );
+  assert.match(await said("robot", old), /^its reader, a worker that is a module, does not start/);
   await old.close();
 });
 
@@ -422,6 +429,7 @@ test("a robot with nothing that moves is told and changes nothing; another takes
     assert.deepEqual(await page.evaluate("[dq8.robot.goal, dq8.robot.hand]"), before);
     await page.evaluate(`document.querySelector("#robot canvas[tabindex]").focus()`);
     await page.key("ArrowLeft");
+    await arrived();
     assert.notDeepEqual(await page.evaluate("dq8.robot.goal"), before[0], "keys still move its goal");
     assert.match(await said("robot"), /The hand is there|As near as it gets|limits/);
   }
@@ -430,33 +438,100 @@ test("a robot with nothing that moves is told and changes nothing; another takes
   assert.match(await page.evaluate(`document.querySelector("#robot .about").textContent`), /^\d joints of arm6\.urdf,/);
 });
 
+/**
+ * Drops a file of many parts, waits in the page until `ready` while it is read, runs `then` there, and gives up. Says
+ * what `then` has given, and whether the file was read all the while. Nothing else is drawn, which takes turns of the
+ * page where WebGL is computed.
+ */
+const givenUp = async (name, parts, ready, then) => {
+  await go("between");
+  await page.until("!dq8.crowd.scene.seen");
+  return page.evaluate(`(async () => {
+    const reading = document.getElementById("reading"), bar = reading.querySelector("progress");
+    const told = document.getElementById("told");
+    const pause = (time) => new Promise((later) => setTimeout(later, time));
+    const data = new DataTransfer();
+    told.textContent = "";
+    data.items.add(new File(${parts}, ${JSON.stringify(name)}));
+    document.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }));
+    while (!told.textContent && (reading.hidden || !(${ready}))) await pause(5);
+    const answer = await (${then})(), goesOn = !reading.hidden;
+    reading.querySelector("button").click();
+    while (!told.textContent) await pause(5);
+    return [answer, goesOn, reading.hidden, told.textContent];
+  })()`);
+};
+
 test("a long file is read in a worker, with a bar, and can be given up", async () => {
   await page.evaluate(`document.getElementById("stop").checked = true`);
   const before = await page.evaluate("dq8.yours.name");
-  await page.evaluate(`{
-    const rows = "0 1 0 0 0 0 0 10 0\\n".repeat(20000), copies = 120;
-    const [before] = ${JSON.stringify(BVH)}.split("0 1 0 0 0 0 0 10 0"),
-      head = before.replace("Frames: 2", "Frames: " + 20000 * copies);
-    const data = new DataTransfer();
-    data.items.add(new File([head, ...Array(copies).fill(rows)], "long.bvh"));
-    document.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }));
-  }`);
-  await page.until(`!document.getElementById("reading").hidden && document.querySelector("progress").value > 0`);
-  // The page goes on while it is read.
-  const [part, later, hidden] = await page.evaluate(`new Promise((done) => {
-    const bar = document.querySelector("progress"), part = bar.value;
-    let left = 10;
-    const tick = () => {
-      if (left--) setTimeout(tick, 20); else done([part, bar.value, document.getElementById("reading").hidden]);
-    };
-    tick();
-  })`);
-  assert.ok(later > part && !hidden, `${part} to ${later}`);
-  await page.evaluate(`document.querySelector("#reading button").click()`);
-  await page.until(`document.getElementById("told").textContent === "long.bvh: given up"`);
-  assert.equal(await page.evaluate(`document.getElementById("reading").hidden`), true);
+  const [head] = BVH.split("0 1 0 0 0 0 0 10 0"),
+    rows = `Array(120).fill("0 1 0 0 0 0 0 10 0\\n".repeat(20000))`;
+  const [[part, later], ...rest] = await givenUp(
+    "long.bvh",
+    `[${JSON.stringify(head.replace("Frames: 2", `Frames: ${120 * 20000}`))}, ...${rows}]`,
+    "bar.value > 0",
+    // The page goes on while it is read.
+    `async () => {
+      const part = bar.value;
+      for (let i = 0; i < 10; i++) await pause(20);
+      return [part, bar.value];
+    }`,
+  );
+  assert.ok(later > part, `${part} to ${later}`);
+  assert.deepEqual(rest, [true, true, "long.bvh: given up"]);
   assert.equal(await page.evaluate("dq8.yours.name"), before, "what played goes on");
   assert.match(await dropped("legs.bvh", BVH), /^\|legs\.bvh: 3 joints/, "the next file is read");
+});
+
+test("a long URDF is read in a worker, and can be given up; one of too many links to be drawn is told", async () => {
+  const before = await page.evaluate("[dq8.robot.goal, dq8.robot.hand]"),
+    visual = '<visual><geometry><mesh filename="package://robot/part.dae"/></geometry></visual>\n',
+    visuals = `Array(800).fill(${JSON.stringify(visual.repeat(1000))})`;
+  const [hand, ...rest] = await givenUp(
+    "long.urdf",
+    `['<robot name="r"><link name="a">', ...${visuals}, "</link></robot>"]`,
+    "true",
+    // The robot of before follows keys while it is read.
+    `async () => {
+      const canvas = document.querySelector("#robot canvas[tabindex]");
+      canvas.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowLeft" }));
+      while (dq8.robot.asked) await pause(5);
+      return dq8.robot.hand;
+    }`,
+  );
+  assert.deepEqual(rest, [true, true, "long.urdf: given up"]);
+  assert.ok(Math.hypot(...hand.map((x, k) => x - before[1][k])) > 0.005, `${before[1]} to ${hand}`);
+  await page.evaluate(`document.querySelector("#robot canvas[tabindex]").focus()`);
+  await page.key("ArrowRight");
+  await arrived();
+  const after = await page.evaluate("[dq8.robot.goal, dq8.robot.hand]");
+  after.flat().forEach((x, k) => near(x, before.flat()[k], 1e-3, "the robot of before"));
+  const joint = (i) => `<link name="l${i}"/><joint name="j${i}" type="continuous">
+    <parent link="l${i - 1}"/><child link="l${i}"/></joint>`;
+  const links = Array.from({ length: 2000 }, (_, i) => joint(i + 1)).join("");
+  assert.match(
+    await dropped("many.urdf", `<robot name="r"><link name="l0"/>${links}</robot>`),
+    /^bad\|many\.urdf: it has 2001 links, of which at most 2000 are drawn here$/,
+  );
+  assert.deepEqual(await page.evaluate("[dq8.robot.goal, dq8.robot.hand]"), after);
+});
+
+test("where the hand is asked to go before it has come, it goes to the last place", async () => {
+  const [asked, way] = await page.evaluate(`(async () => {
+    const canvas = document.querySelector("#robot canvas[tabindex]"), places = [];
+    const own = Worker.prototype.postMessage;
+    Worker.prototype.postMessage = function (goal) {
+      places.push(goal);
+      return own.call(this, goal);
+    };
+    for (let i = 0; i < 20; i++) canvas.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowLeft" }));
+    while (dq8.robot.asked) await new Promise((later) => setTimeout(later, 5));
+    Worker.prototype.postMessage = own;
+    return [places, dq8.robot.goal];
+  })()`);
+  assert.equal(asked.length, 2, "of twenty places the first and the last");
+  assert.deepEqual(asked[1], way);
 });
 
 test("keys reach every panel, turn it and move its sliders", async () => {
