@@ -47,6 +47,23 @@ def test_a_bad_fit_among_thousands_is_nan_in_its_row_and_named(rng):
     assert "rank is 1" in listed[0][1] and "not finite" in listed[1][1] and "mirrored" in listed[2][1]
 
 
+def test_lengths_whose_squares_overflow_are_told_from_numbers_that_are_not_finite(rng):
+    _, points, moved = moved_points(rng, 3)
+    for far in (points[0] * 1e200, (points[0] * 1e30).astype(np.float32)):
+        with pytest.raises(ValueError, match="the sums overflow: choose a larger unit"):
+            dq8.fit(far, far)
+    points[1] *= 1e200
+    points[2, 0, 0] = np.inf
+    with pytest.warns(UserWarning, match=re.escape("1 of 3 problems have no answer, which is NaN: (1,).") + ".*overflow"):
+        assert list(np.isnan(dq8.fit(points, moved)).all(-1)) == [False, True, True]
+    faults = dq8.fit(points, moved, full=True).faults
+    assert [index for index, _ in faults] == [(1,), (2,)] and "overflow" in faults[0][1] and "not finite" in faults[1][1]
+    eyes, x = dq8.random(5, rng=rng), dq8.random(rng=rng)
+    eyes = dq8.from_rotation_translation(dq8.rotation(eyes), dq8.translation(eyes) * 1e200)
+    with pytest.raises(ValueError, match="the sums overflow: choose a larger unit"):
+        dq8.hand_eye(dq8.mul(dq8.mul(x, eyes), dq8.inverse(x)), eyes)
+
+
 def test_many_fits_have_the_bits_of_single_ones(rng):
     _, points, moved = moved_points(rng, 50, noise=0.1)
     weights = rng.random((50, 10))

@@ -80,6 +80,7 @@ def _answers(name: str, motions: NDArray[Any], faults: list[Fault]) -> NDArray[A
 
 
 NOT_FINITE = "A number is not finite"
+TOO_LARGE = "Expected lengths whose squares can be summed, but the sums overflow: choose a larger unit"
 NOT_TOGETHER = (
     "Expected `hands` and `eyes` to move together, but `A X` and `X B` are turned against each other by more than 0.1 radians in "
     "half of the pairs, whatever X is: pass how each moved from one place to another, such as "
@@ -102,6 +103,12 @@ def _faults(*kinds: tuple[NDArray[np.bool], str | list[str]]) -> list[Fault]:
         for at, index in enumerate(np.argwhere(mask)):
             made.setdefault(tuple(int(i) for i in index), reason if isinstance(reason, str) else reason[at])
     return sorted(made.items())
+
+
+def _finite(*arrays: NDArray[Any]) -> NDArray[np.bool]:
+    """Which problems have finite numbers alone."""
+    masks = [np.isfinite(array).all(axis=(-2, -1)) for array in arrays]
+    return np.asarray(np.logical_and.reduce(masks))
 
 
 def _weights(weights: ArrayLike | None, count: int) -> NDArray[Any] | None:
@@ -219,7 +226,10 @@ def fit(
             f"{int(rank)}"
             for rank in ranks[np.isinf(conditions)]
         ]
-        faults = _faults((np.isinf(conditions), ambiguous), (mirrored, MIRRORED), (np.isnan(conditions), NOT_FINITE))
+        unknown, known = np.isnan(conditions), _finite(x, y)
+        faults = _faults(
+            (np.isinf(conditions), ambiguous), (mirrored, MIRRORED), (unknown & known, TOO_LARGE), (unknown & ~known, NOT_FINITE)
+        )
     else:
         faults = []
     if not full:
@@ -306,9 +316,12 @@ def hand_eye(
     ranks[~(np.abs(a[..., :3]) > 1e-12).any(axis=(-2, -1))] = 0
     tells = ranks == 6
     # Finite motions that do not turn have no finite answer either, and are told apart from those that are not finite.
-    known = (np.isfinite(a) & np.isfinite(b)).all(axis=(-2, -1))
+    known = _finite(a, b)
     good = known & tells & (angles <= 0.1)
-    faults = [] if good.all() else _faults((~known, NOT_FINITE), (angles > 0.1, NOT_TOGETHER), (known & ~tells, PARALLEL))
+    large = ~np.isfinite(sizes).all(axis=-1)
+    faults = [] if good.all() else _faults(
+        (~known, NOT_FINITE), (large, TOO_LARGE), (angles > 0.1, NOT_TOGETHER), (known & ~tells, PARALLEL)
+    )
     if not full:
         return _answers("hand_eye", motions, faults)
     motions = np.where((known & tells)[..., np.newaxis], motions, np.nan)
