@@ -318,7 +318,7 @@ def hand_eye(
     # Finite motions that do not turn have no finite answer either, and are told apart from those that are not finite.
     known = _finite(a, b)
     good = known & tells & (angles <= 0.1)
-    large = ~np.isfinite(sizes).all(axis=-1)
+    large = np.asarray(~np.isfinite(sizes).all(axis=-1))
     faults = [] if good.all() else _faults(
         (~known, NOT_FINITE), (large, TOO_LARGE), (angles > 0.1, NOT_TOGETHER), (known & ~tells, PARALLEL)
     )
