@@ -73,6 +73,21 @@ def test_errors_in_the_report_are_those_at_the_values(arm, rng):
     np.testing.assert_array_equal(report.converged, (report.angular_error <= 1e-5) & (report.linear_error <= 1e-5))
 
 
+@pytest.mark.parametrize("count", [-1, 2**32, 10**30])
+def test_a_number_of_iterations_out_of_range_is_told_with_the_range(planar, count):
+    target, start, path = dq8.identity(), [0.1, 0.2, 0.3], dq8.random(9, rng=1)
+    for call in (
+        lambda: planar.reach(target, start, 2, max_iterations=count),
+        lambda: planar.track(dq8.identity((4, 1)), start, [2], max_iterations=count),
+        lambda: dq8.mean(path, max_iterations=count),
+        lambda: dq8.dib_windows(path, np.ones(3), max_iterations=count),
+    ):
+        with pytest.raises(ValueError, match=f"Expected `max_iterations` to be from 0 to 4294967295, got {count}."):
+            call()
+    with pytest.raises(TypeError, match="max_iterations"):
+        dq8.mean(path, max_iterations=1.5)
+
+
 def test_weights_of_zero_leave_the_rotation_free(planar):
     target = dq8.from_rotation_translation([1.0, 0, 0, 0], [1.2, 0.8, 0.0])
     assert not planar.reach(target, [0.1, 0.2, 0.3], 2)[1].converged

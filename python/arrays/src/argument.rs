@@ -7,7 +7,7 @@ use crate::output::Output;
 use crate::plain::{held, is_number, real, view};
 use numpy::prelude::*;
 use numpy::{PyArrayDescrMethods, PyArrayDyn, PyReadonlyArrayDyn, PyUntypedArray};
-use pyo3::exceptions::PyValueError;
+use pyo3::exceptions::{PyOverflowError, PyValueError};
 use pyo3::intern;
 use pyo3::prelude::*;
 use pyo3::types::{PyTuple, PyWeakrefReference};
@@ -284,3 +284,17 @@ macro_rules! common_dtype {
     };
 }
 pub use crate::common_dtype;
+
+/// The argument `max_iterations`. Python's own error for a number that is out of range names
+/// neither the argument nor the range.
+pub fn iterations(count: &Bound<'_, PyAny>) -> PyResult<u32> {
+    count.extract().map_err(|error: PyErr| {
+        if !error.is_instance_of::<PyOverflowError>(count.py()) {
+            return error;
+        }
+        let most = u32::MAX;
+        PyValueError::new_err(format!(
+            "Expected `max_iterations` to be from 0 to {most}, got {count}."
+        ))
+    })
+}

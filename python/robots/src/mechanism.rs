@@ -1,6 +1,6 @@
 //! Mechanisms: from the values of joints to the poses of links.
 
-use crate::argument::{common_dtype, is_single};
+use crate::argument::{common_dtype, is_single, iterations};
 use crate::call::Answer;
 use crate::configurations::{Frame, Values, jacobian, poses};
 use crate::error::value_error;
@@ -418,7 +418,7 @@ impl Mechanism {
         posture: Option<&Bound<'py, PyAny>>,
         angular_tolerance: f64,
         linear_tolerance: f64,
-        max_iterations: u32,
+        #[pyo3(from_py_with = iterations)] max_iterations: u32,
         length_per_radian: Option<f64>,
         max_step: f64,
         damping: f64,

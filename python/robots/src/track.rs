@@ -1,6 +1,6 @@
 //! The arguments of searches in Python, and the function behind `track` and `sequence`.
 
-use crate::argument::Argument;
+use crate::argument::{Argument, iterations};
 use crate::columns::in_order;
 use crate::mechanism::Mechanism;
 use crate::shape::{EIGHT, NUMBER, SIX, VECTOR};
@@ -55,7 +55,7 @@ pub fn track<'py>(
     posture: Option<&Bound<'py, PyAny>>,
     angular_tolerance: f64,
     linear_tolerance: f64,
-    max_iterations: u32,
+    #[pyo3(from_py_with = iterations)] max_iterations: u32,
     length_per_radian: Option<f64>,
     max_step: f64,
     damping: f64,

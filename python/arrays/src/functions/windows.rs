@@ -1,6 +1,6 @@
 //! Means along a trajectory.
 
-use crate::argument::{Argument, Input, common_dtype, is_single};
+use crate::argument::{Argument, Input, common_dtype, is_single, iterations};
 use crate::axis::Axis;
 use crate::blend::{Influences, Mean};
 use crate::call::Answer;
@@ -57,7 +57,7 @@ pub fn dib_windows<'py>(
     weights: &Bound<'py, PyAny>,
     axis: isize,
     tolerance: Option<f64>,
-    max_iterations: u32,
+    #[pyo3(from_py_with = iterations)] max_iterations: u32,
     out: Option<&Bound<'py, PyAny>>,
 ) -> Answer<'py> {
     let mean = Mean::Intrinsic { tolerance: tolerance.unwrap_or(f64::NAN), max_iterations };
