@@ -82,7 +82,7 @@ def test_a_number_of_iterations_out_of_range_is_told_with_the_range(planar, coun
         lambda: dq8.mean(path, max_iterations=count),
         lambda: dq8.dib_windows(path, np.ones(3), max_iterations=count),
     ):
-        with pytest.raises(ValueError, match=f"Expected `max_iterations` to be from 0 to 4294967295, got {count}."):
+        with pytest.raises(OverflowError, match=f"Expected `max_iterations` to be from 0 to 4294967295, got {count}."):
             call()
     with pytest.raises(TypeError, match="max_iterations"):
         dq8.mean(path, max_iterations=1.5)

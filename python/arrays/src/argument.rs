@@ -293,7 +293,7 @@ pub fn iterations(count: &Bound<'_, PyAny>) -> PyResult<u32> {
             return error;
         }
         let most = u32::MAX;
-        PyValueError::new_err(format!(
+        PyOverflowError::new_err(format!(
             "Expected `max_iterations` to be from 0 to {most}, got {count}."
         ))
     })
