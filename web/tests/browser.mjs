@@ -14,7 +14,7 @@ const FLAGS = [
 const VIRTUAL = { ArrowRight: 39, ArrowLeft: 37, ArrowUp: 38, ArrowDown: 40, Tab: 9 };
 const pause = (milliseconds) => new Promise((later) => setTimeout(later, milliseconds));
 
-/** Removes a profile. A browser's children end after it, and write until then; `rmSync` would retry the folder alone. */
+/** Removes a profile. Children of a browser end after it and write until then; `rmSync` retries the folder alone. */
 export const removed = (profile) => rm(profile, { recursive: true, force: true, maxRetries: 20, retryDelay: 50 });
 
 /** What a message of a page says to its console, if it is an error or a warning. */

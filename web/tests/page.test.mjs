@@ -573,7 +573,8 @@ test("a robot that fails at one place says so, and goes to the next one", async 
 test("a robot that is dropped before the page's own has come stays, and files are taken before", async () => {
   const own = await browser.page(url, { ...DESK, before: `{
     const get = window.fetch;
-    window.fetch = (...of) => /arm7/.test(of[0]) ? new Promise((go) => (window.late = () => go(get(...of)))) : get(...of);
+    window.fetch = (...of) =>
+      /arm7/.test(of[0]) ? new Promise((go) => (window.late = () => go(get(...of)))) : get(...of);
   }` });
   await own.until("window.dq8?.yours && window.late");
   const robot = readFileSync(new URL("../../robot/robots/arm6.urdf", import.meta.url));
