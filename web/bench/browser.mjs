@@ -1,10 +1,11 @@
 // The same in a browser that nobody drives: it opens the page, which posts its answer. node bench/browser.mjs NAME, of
 // those in `BROWSERS`; their programs are Debian's.
 import { spawn } from "node:child_process";
-import { mkdtempSync, rmSync } from "node:fs";
+import { mkdtempSync } from "node:fs";
 import { createServer } from "node:http";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
+import { removed } from "../tests/browser.mjs";
 import { serve } from "../tests/server.mjs";
 
 const MINUTES = 5;
@@ -61,6 +62,6 @@ try {
   post.close();
   post.closeAllConnections();
   await new Promise((later) => setTimeout(later, 500));
-  rmSync(profile, { recursive: true, force: true, maxRetries: 20, retryDelay: 200 });
+  await removed(profile);
   process.exit();
 }

@@ -1,10 +1,11 @@
 // Firefox and WebKitGTK, driven by what Debian's packages bring: Marionette, over a socket, and WebDriver, over HTTP.
 // Both know the same commands.
 import { spawn } from "node:child_process";
-import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { mkdtempSync, writeFileSync } from "node:fs";
 import { connect, createServer } from "node:net";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
+import { removed } from "../tests/browser.mjs";
 
 const MINIBROWSER = "/usr/lib/x86_64-linux-gnu/webkit2gtk-4.1/MiniBrowser";
 /** How long a browser may take to start, in milliseconds. */
@@ -137,7 +138,7 @@ export async function drive(name) {
       process.kill(-started.pid);
       await gone;
     }
-    rmSync(profile, { recursive: true, force: true, maxRetries: 20, retryDelay: 200 });
+    await removed(profile);
   }
   try {
     const { resize, go, run, picture, find, type } = await connect(port);

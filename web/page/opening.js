@@ -1,5 +1,5 @@
 // Files that are chosen or dropped: they are read in a worker, with a bar, and can be given up.
-import { read } from "./reading.js";
+import { end, read } from "./reading.js";
 
 const section = (id) => document.getElementById(id),
   told = section("told"),
@@ -21,19 +21,20 @@ function shown(kind, file) {
     later = setTimeout(() => (reading.hidden = false), SOON);
   bar.removeAttribute("value");
   reading.querySelector("span").textContent = `Reading ${file.name}`;
-  const end = () => {
+  const hide = () => {
     clearTimeout(later);
     reading.hidden = true;
     giveUp = undefined;
   };
   const given = new Promise((resolve) => {
     giveUp = () => {
-      end();
-      worker.terminate();
+      hide();
+      end(worker);
+      tell(`${file.name}: given up`);
       resolve();
     };
   });
-  return Promise.race([given, made.finally(end)]);
+  return Promise.race([given, made.finally(hide)]);
 }
 
 /** Plays files; a bad one is told, and changes nothing. */
@@ -47,16 +48,16 @@ export function opening(robot, yours) {
   async function play(file, more) {
     giveUp?.();
     try {
-      const kind = /\.(\w+)$/.exec(file.name)?.[1].toLowerCase();
-      if (!["bvh", "glb", "urdf"].includes(kind)) {
+      const kind = file.name.split(".").pop().toLowerCase();
+      if (!KINDS.test(file.name)) {
         const hint = kind === "gltf" ? "; a .glb has in one file what a .gltf has in several" : "";
         throw new Error(`none of .glb, .bvh, .urdf${hint}`);
       }
       const made = await shown(kind, file);
-      if (!made) return tell(`${file.name}: given up`);
-      if (kind !== "urdf") made.worker.terminate();
-      const what = (kind === "urdf" ? robot : yours).show(file.name, made);
+      if (!made) return;
       if (kind === "urdf") section("robot").scrollIntoView();
+      else end(made.worker);
+      const what = (kind === "urdf" ? robot : yours).show(file.name, made);
       tell(`${file.name}: ${what}${more}`);
     } catch (error) {
       tell(`${file.name}: ${error.message}${more}`, true);

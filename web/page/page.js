@@ -2,7 +2,7 @@ import load from "../package/dq8.js";
 import { between } from "./between.js";
 import { crowd } from "./crowd.js";
 import { opening } from "./opening.js";
-import { read } from "./reading.js";
+import { end, read } from "./reading.js";
 import { robot } from "./robot.js";
 import { escaped } from "./scene.js";
 import { sleeve } from "./sleeve.js";
@@ -18,9 +18,12 @@ try {
   state.robot = robot(section("robot"));
   state.between = between(dq8, section("between"));
   state.yours = yours(dq8, section("yours"));
-  // Without an arm the rest goes on.
-  await arm.then((it) => state.robot.show("an arm", it), ({ message }) => state.robot.scene.tell(escaped(message)));
   opening(state.robot, state.yours);
+  // Without an arm the rest goes on; where a file has brought a robot before, that stays.
+  await arm.then(
+    (it) => (state.robot.goal ? end(it.worker) : state.robot.show("an arm", it)),
+    ({ message }) => state.robot.goal || state.robot.scene.tell(escaped(message)),
+  );
   state.ready = true;
 } catch (error) {
   const told = section("told");

@@ -1,4 +1,5 @@
 import { Rods } from "./gl.js";
+import { end } from "./reading.js";
 import { Scene, arrows, colour, dragged, escaped, rgb } from "./scene.js";
 
 /** How far from its middle, in pixels, a finger takes hold of the ring. */
@@ -54,17 +55,19 @@ export function robot(section) {
     made.asked = true;
   }
   function show(name, next) {
-    made?.worker.terminate();
+    if (made) end(made.worker);
     made = next;
     made.rods = new Rods(made.parents.length);
-    made.worker.onmessage = ({ data }) => {
-      // An answer may be under way when another file takes its place.
-      if (made !== next) return;
+    const answered = ({ data }) => {
       Object.assign(made, data, { asked: false });
       if (made.late) ask();
       update(true);
     };
-    made.worker.onerror = ({ message }) => scene.tell(escaped(message));
+    made.worker.onmessage = answered;
+    made.worker.onerror = (event) => {
+      answered(event);
+      scene.tell(escaped(event.message), true);
+    };
     const { values, warnings, parents, size, centre } = made;
     Object.assign(scene, { size, centre: up(centre) });
     section.querySelector(".of").textContent = `${values} joints of ${name}`;

@@ -2,20 +2,18 @@
 
 use crate::Motion;
 use crate::error::{made, status};
-use crate::linear::{ByColumns, Packed};
+use crate::linear::{ByColumns, Packed, Row};
 use crate::memory::{exports, frees, slice, slice_mut};
 use dq8::hierarchy::MatrixOrder;
 use dq8::skinning::{Blender, DualBlend, Linear, Mixed, Skin, SkinningError, Surface, SurfaceMut};
 use dq8::{Backend, ShapeError};
 
-type Row = [[f32; 4]; 3];
-
 /// A skin and what it was made of, which nobody else can write to: it is trusted once it has been
 /// checked.
 #[derive(Debug)]
 struct OwnedSkin {
-    joints: Box<[u16]>,
-    weights: Box<[f32]>,
+    _joints: Box<[u16]>,
+    _weights: Box<[f32]>,
     /// What linear blends read, made of the motions.
     matrices: Vec<Row>,
     columns: Vec<Packed>,
@@ -37,7 +35,8 @@ impl OwnedSkin {
             (slice(joints.as_ptr(), joints.len()), slice(weights.as_ptr(), weights.len()))
         };
         let skin = Skin::new(joint_count, influences, lasting.0, lasting.1)?;
-        Ok(Self { joints, weights, matrices: Vec::new(), columns: Vec::new(), skin })
+        let (matrices, columns) = (Vec::new(), Vec::new());
+        Ok(Self { _joints: joints, _weights: weights, matrices, columns, skin })
     }
 }
 
@@ -99,29 +98,18 @@ fn rows(motions: &[Motion], matrices: &mut Vec<Row>) -> Result<(), ShapeError> {
     Backend::best().matrices(motions, MatrixOrder::Rows, matrices)
 }
 
-/// Whether a mesh of positions alone, of four influences, has been posed linearly. What does not
-/// fit is an error of the other way.
-fn by_columns(owned: &mut OwnedSkin, mesh: &Mesh) -> bool {
-    let OwnedSkin { skin, joints, weights, matrices, columns } = owned;
+/// Poses a mesh of positions alone, of four influences, linearly. Returns `None` for others, and
+/// for what does not fit, which is an error of the other way.
+fn by_columns(owned: &mut OwnedSkin, mesh: &Mesh) -> Option<()> {
+    if !mesh.normals.is_null() {
+        return None;
+    }
+    let OwnedSkin { skin, matrices, columns, .. } = owned;
     // SAFETY: what the mesh names is there, and what is posed lies apart.
     let (rest, posed) =
         unsafe { (slice(mesh.rest, mesh.rest_count), slice_mut(mesh.posed, mesh.posed_count)) };
-    let fits =
-        [rest.len(), posed.len()] == [skin.vertices(); 2] && matrices.len() == skin.joint_count();
-    if !fits || skin.influences() != 4 || !mesh.normals.is_null() {
-        return false;
-    }
-    columns.clear();
-    columns.extend(matrices.iter().map(|rows| {
-        let mut packed = Packed::default();
-        for (i, number) in packed.as_flattened_mut().iter_mut().enumerate() {
-            *number = rows[i % 3][i / 3];
-        }
-        packed
-    }));
-    let (joints, weights) = (joints.as_chunks().0, weights.as_chunks().0);
-    Backend::best().run(ByColumns { joints, weights, matrices: columns, rest, posed });
-    true
+    Backend::best().run(ByColumns::new(skin, matrices, columns, rest, posed)?);
+    Some(())
 }
 
 fn pose(
@@ -138,7 +126,7 @@ fn pose(
             return mesh.pose(&owned.skin, dual);
         }
         rows(motions, &mut owned.matrices)?;
-        if blend == 1 && by_columns(owned, mesh) {
+        if blend == 1 && by_columns(owned, mesh).is_some() {
             return Ok(());
         }
         let rows = Linear::new(&owned.matrices);

@@ -1,6 +1,7 @@
 // Debian's Chromium, driven over a pipe by its own protocol: nothing is downloaded.
 import { spawn } from "node:child_process";
-import { mkdtempSync, rmSync } from "node:fs";
+import { mkdtempSync } from "node:fs";
+import { rm } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 
@@ -12,6 +13,9 @@ const FLAGS = [
 ];
 const VIRTUAL = { ArrowRight: 39, ArrowLeft: 37, ArrowUp: 38, ArrowDown: 40, Tab: 9 };
 const pause = (milliseconds) => new Promise((later) => setTimeout(later, milliseconds));
+
+/** Removes a profile. Children of a browser end after it and write until then; `rmSync` retries the folder alone. */
+export const removed = (profile) => rm(profile, { recursive: true, force: true, maxRetries: 20, retryDelay: 50 });
 
 /** What a message of a page says to its console, if it is an error or a warning. */
 function said({ method, params }) {
@@ -123,8 +127,7 @@ export async function open({ flags = [] } = {}) {
       await Promise.race([send("Browser.close").catch(() => {}), pause(3000)]);
       if (process_.exitCode === null) process_.kill();
       await ended;
-      // Its children end after it, and write until then.
-      rmSync(profile, { recursive: true, force: true, maxRetries: 20, retryDelay: 200 });
+      await removed(profile);
     },
   };
 }

@@ -148,6 +148,17 @@ for (const level of levels)
         assert.deepEqual(bare.view, posed.view, `${blend} skin: positions without normals have the same bits`);
         assert.deepEqual([...room.view.slice(-4)], [7, 7, 7, 7], `${blend} skin: nothing behind them is written`);
       }
+      for (const influences of [1, 2, 3, 5]) {
+        const count = influences * VERTICES,
+          joints = Array.from({ length: count }, (_, i) => given.joints[i % given.joints.length]),
+          weights = Array.from({ length: count }, (_, i) => 1 / (influences + (i % influences)));
+        const few = dq8.skin({ jointCount: JOINTS, influences, joints, weights });
+        few.pose({ blend: "linear", motions: first, rest, posed, normals, posedNormals });
+        bare.view.fill(7);
+        few.pose({ blend: "linear", motions: first, rest, posed: bare });
+        assert.deepEqual(bare.view, posed.view, `${influences} influences: the same bits without normals`);
+        few.free();
+      }
       const robot = robots.robot(urdf),
         links = robot.linkNames.length,
         count = robot.valueNames.length;

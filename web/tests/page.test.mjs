@@ -517,6 +517,74 @@ test("a long URDF is read in a worker, and can be given up; one of too many link
   assert.deepEqual(await page.evaluate("[dq8.robot.goal, dq8.robot.hand]"), after);
 });
 
+test("a file that takes the place of one that is read says its own, and can be given up", async () => {
+  const [said, ...rest] = await page.evaluate(`(async () => {
+    const reading = document.getElementById("reading"), told = document.getElementById("told"), workers = [];
+    const pause = (time) => new Promise((later) => setTimeout(later, time));
+    const drop = (name, ...parts) => {
+      const data = new DataTransfer();
+      data.items.add(new File(parts, name));
+      document.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }));
+    };
+    const long = ['<robot name="r"><link name="a">', "<visual/>".repeat(3000000)], own = Worker.prototype.postMessage;
+    Worker.prototype.postMessage = function (...given) {
+      workers.push(this);
+      return own.apply(this, given);
+    };
+    drop("one.urdf", ...long);
+    drop("notes.txt", "x");
+    await pause(50);
+    const said = told.textContent;
+    drop("two.urdf", ...long);
+    drop("three.urdf", ...long);
+    Worker.prototype.postMessage = own;
+    // What the reader that has been given up said before it ended.
+    workers[1].dispatchEvent(new MessageEvent("message", { data: { error: "late" } }));
+    while (reading.hidden && told.textContent === "two.urdf: given up") await pause(5);
+    const shown = !reading.hidden, of = reading.querySelector("span").textContent;
+    reading.querySelector("button").click();
+    await pause(50);
+    return [said, shown, of, reading.hidden, told.textContent];
+  })()`);
+  assert.match(said, /^notes\.txt: none of/);
+  assert.deepEqual(rest, [true, "Reading three.urdf", true, "three.urdf: given up"]);
+});
+
+test("a robot that fails at one place says so, and goes to the next one", async () => {
+  const own = await browser.page(url, DESK);
+  await own.until("window.dq8?.ready");
+  const press = `document.querySelector("#robot canvas[tabindex]")
+    .dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowLeft" }))`;
+  await own.evaluate(`{
+    const post = Worker.prototype.postMessage;
+    Worker.prototype.postMessage = function () {
+      Worker.prototype.postMessage = post;
+      return post.call(this, null);
+    };
+    ${press};
+  }`);
+  await own.until(`/null/.test(document.querySelector("#robot .numbers").textContent)`, 10);
+  await own.evaluate(press);
+  await own.until("!dq8.robot.asked", 10);
+  assert.match(await said("robot", own), /The hand is there/);
+  await own.close();
+});
+
+test("a robot that is dropped before the page's own has come stays, and files are taken before", async () => {
+  const own = await browser.page(url, { ...DESK, before: `{
+    const get = window.fetch;
+    window.fetch = (...of) =>
+      /arm7/.test(of[0]) ? new Promise((go) => (window.late = () => go(get(...of)))) : get(...of);
+  }` });
+  await own.until("window.dq8?.yours && window.late");
+  const robot = readFileSync(new URL("../../robot/robots/arm6.urdf", import.meta.url));
+  assert.match(await dropped("arm6.urdf", robot, own), /^\|arm6\.urdf: \d+ links/);
+  await own.evaluate("late()");
+  await own.until("dq8.ready", 20);
+  assert.match(await own.evaluate(`document.querySelector("#robot .about").textContent`), /^\d joints of arm6\.urdf,/);
+  await own.close();
+});
+
 test("where the hand is asked to go before it has come, it goes to the last place", async () => {
   const [asked, way] = await page.evaluate(`(async () => {
     const canvas = document.querySelector("#robot canvas[tabindex]"), places = [];
