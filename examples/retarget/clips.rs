@@ -174,18 +174,20 @@ fn files(paths: &[PathBuf]) -> Result<BTreeMap<String, PathBuf>, Box<dyn Error>>
 fn table(rows: &Rows) -> String {
     let quoted = |text: &str| format!("\"{}\"", text.replace('"', "\"\""));
     let names = Report::MEASURES;
-    let mut text = format!("clip,frames,{},error\n", names.join(","));
+    let mut text = format!("clip,frames,{},edges,error\n", names.join(","));
     for (name, row) in rows {
-        let (frames, measures, error) = match row {
+        let (frames, measures, edges, error) = match row {
             Ok((frames, report)) => {
                 let number =
                     |measure: Option<f64>| measure.map_or(String::new(), |x| format!("{x:.4}"));
                 let measures = report.measures().map(number);
-                (frames.to_string(), measures, String::new())
+                (frames.to_string(), measures, report.edges.to_string(), String::new())
             }
-            Err(error) => (String::new(), names.map(|_| String::new()), quoted(error)),
+            Err(error) => {
+                (String::new(), names.map(|_| String::new()), String::new(), quoted(error))
+            }
         };
-        text += &format!("{},{frames},{},{error}\n", quoted(name), measures.join(","));
+        text += &format!("{},{frames},{},{edges},{error}\n", quoted(name), measures.join(","));
     }
     text
 }

@@ -177,7 +177,8 @@ fn a_bad_clip_does_not_end_the_others_and_is_named() {
         let read = |name| fs::read_to_string(out.join(name)).unwrap();
         let table = read("measures.csv");
         let lines: Vec<_> = table.lines().collect();
-        assert!(lines[1].starts_with("\"a\",32,") && lines[1].ends_with(','), "{table}");
+        assert!(lines[1].starts_with("\"a\",32,") && lines[1].ends_with(",false,"), "{table}");
+        assert!(lines[0].ends_with(",self_hits,edges,error"), "{table}");
         assert!(lines[2].starts_with("\"b,\"\"b\",,,") && lines[2].contains("line"), "{table}");
         assert_eq!(lines[1].replacen('a', "c", 1), lines[3]);
         assert_eq!(read("a.csv").lines().count(), 33);

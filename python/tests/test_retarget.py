@@ -391,6 +391,20 @@ def test_self_hits_are_not_known_where_shapes_are_meshes(tmp_path):
     assert np.isnan(unknown.report["self_hits"]) and "1 of 2 links have meshes" in meshes.told[0]
 
 
+def test_a_report_says_where_edges_of_soles_are_not_known(robot):
+    text = URDF.read_text()
+    for side in ("left", "right"):
+        box = "<collision><origin xyz='0.03 0 -0.05'/><geometry><box size='0.2 0.08 0.04'/></geometry></collision>"
+        text = text.replace(f'<link name="{side}_foot"/>', f'<link name="{side}_foot">{box}</link>')
+    person = rt.load(WALK)
+    for humanoid, known in ((robot, False), (rt.Humanoid(text), True)):
+        motion = rt.retarget(person, humanoid)
+        for report in (motion.report, rt.report(motion, person), pickle.loads(pickle.dumps(motion.report))):
+            assert report.edges is known
+            assert ("edges of soles are not known" in repr(report)) is not known
+            assert ("edges of soles are not known" in report._repr_html_()) is not known
+
+
 def test_an_archive_has_a_file_and_a_row_for_each_clip(clips, robot, tmp_path):
     told = []
     table = rt.archive(str(tmp_path / "clips/**/*.bvh"), robot, tmp_path / "out", workers=2, progress=told.append, bodies=BODIES, fps=60)
@@ -402,6 +416,7 @@ def test_an_archive_has_a_file_and_a_row_for_each_clip(clips, robot, tmp_path):
         alone = rt.retarget(rt.load(path), robot, fps=60)
         assert (row["frames"], row["fps"], row["error"]) == (frames, 60, None)
         assert row["self_hits"] is None and np.isnan(alone.report["self_hits"])
+        assert row["edges"] is alone.report.edges is False
         assert {name: row[name] for name in alone.report} == dict(alone.report) | {"self_hits": None}
         with np.load(tmp_path / "out" / row["motion"]) as file:
             np.testing.assert_array_equal(file["joint_pos"], alone.values.astype(np.float32))

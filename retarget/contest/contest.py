@@ -90,8 +90,8 @@ def main():
     heads = ["robot", "clip", "as it is", "axes along bones", "six channels", "120 Hz", "60 Hz", "spread"]
     rows = list(conventions(program, all_robots[:2], dict(zip(titles, longest)), folder))
     table(heads, rows)
-    # With axes along bones, files do not say what the rest pose is, so targets are others; they may be nearer.
-    # Where nearly nothing is left, fractions of a millimetre are much.
+    # Fractions of a millimetre are much where nearly nothing is left. With axes along bones, files do not say what the
+    # rest pose is, so targets are others: nearer ones, or up to 1.31 times as far where a person kneels.
     same = [(row, [float(mm) for mm in (row[2], *row[4:7])]) for row in rows]
     wrong = [f"{row[:2]}: {mm}" for row, mm in same if max(mm) / min(mm) > 1.05 and np.ptp(mm) > 0.5]
     wrong += [f"{row[:2]}: {row[3]} along bones" for row, mm in same if float(row[3]) > 1.35 * mm[0]]

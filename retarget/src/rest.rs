@@ -56,8 +56,8 @@ impl Rest {
         Self::mean(person, standing).ok_or(RetargetError::NoRest)
     }
 
-    /// Returns the mean of the poses whose hips are about as high as in any, each as a person in it
-    /// faces. In a single frame, people are bent and turned by a step.
+    /// Returns the mean of the poses whose hips are about as high as in any, each turned so that
+    /// all of them face the same way. In a single frame, people are bent and turned by a step.
     fn mean(person: &Person, mut standing: Vec<(&[DualQuat<f64>], Quat<f64>)>) -> Option<Self> {
         let height = |&(poses, axes): &(&[DualQuat<f64>], Quat<f64>)| {
             let place = |role| Some(axes.rotate(place_of(person, poses, role)?)[2]);
@@ -83,9 +83,10 @@ impl Rest {
             let turn = Quat::from_array(sum).normalize();
             poses[joint] = DualQuat::from_rotation_translation(turn, at);
         }
-        let count = standing.len();
-        let told =
-            format!("the rest pose is the mean of the frames in which the person stands: {count}");
+        let (count, frames) = (standing.len(), person.frames());
+        let told = format!(
+            "the rest pose is the mean of {count} of {frames} frames, in which the person stands upright"
+        );
         Some(Self { poses, axes, told: Some(told) })
     }
 }

@@ -104,6 +104,17 @@ fn a_foot_that_wanders_while_it_seems_to_stand_is_let_go() {
 }
 
 #[test]
+fn frames_whose_hips_are_lower_than_upright_make_no_part_of_the_rest_pose() {
+    let humanoid = Humanoid::from_urdf(&with_soles()).unwrap();
+    let person = kneeling(0.2, 0.0, [0.43; 2]);
+    let told = Targets::new(&person, &humanoid, &Settings::default()).unwrap().told;
+    // A twentieth of the hips' height above the ankles, 0.84 m, is lost in frame 78.
+    let wanted =
+        "the rest pose is the mean of 78 of 180 frames, in which the person stands upright";
+    assert!(told.iter().any(|sentence| sentence == wanted), "{told:?}");
+}
+
+#[test]
 fn a_body_of_other_proportions_kneels_where_its_feet_stand() {
     let humanoid = Humanoid::from_urdf(&with_soles()).unwrap();
     // The robot's thighs and shanks are equally long.

@@ -72,8 +72,8 @@ def archive(
     Returns
     -------
     pyarrow.Table
-        A row for each clip: ``file``, ``motion``, ``frames``, ``fps``, the measures of a `Report`, ``warnings``, ``error``, and what
-        tells whether a clip has changed. ``measures.parquet`` also has the rows of calls before whose motions are there.
+        A row for each clip: ``file``, ``motion``, ``frames``, ``fps``, the measures of a `Report` and its ``edges``, ``warnings``,
+        ``error``, and what tells whether a clip has changed. ``measures.parquet`` also has the rows of calls before whose motions are there.
     """
     needed("pyarrow.parquet", "retarget")
     if workers is None:
@@ -210,7 +210,8 @@ class Job:
             return row | {"error": f"{type(error).__name__}: {error}"}
         said = "\n".join([*([person._warning] if person._warning else []), *motion.told, *motion.report.warnings])
         measures = {name: None if math.isnan(number) else number for name, number in motion.report.items()}
-        return row | {"motion": self.motion(path).as_posix(), "frames": len(motion), "fps": motion.fps, "warnings": said} | measures
+        made = {"motion": self.motion(path).as_posix(), "frames": len(motion), "fps": motion.fps, "edges": motion.report.edges, "warnings": said}
+        return row | made | measures
 
 
 def _shared(job: Job, paths: list[Path], workers: int) -> Iterator[Row]:
@@ -231,7 +232,7 @@ def _shared(job: Job, paths: list[Path], workers: int) -> Iterator[Row]:
 _JOURNAL, _TABLE = "measures.jsonl", "measures.parquet"
 """Rows as they come, and the table of all."""
 
-_COLUMNS = ["file", "motion", "frames", "fps", *UNITS, "warnings", "error", "source", "size", "modified", "key"]
+_COLUMNS = ["file", "motion", "frames", "fps", *UNITS, "edges", "warnings", "error", "source", "size", "modified", "key"]
 
 
 def _known(out: Path) -> Iterator[Row]:
@@ -255,6 +256,7 @@ def write(out: str | os.PathLike[str], rows: Iterable[Row]) -> Any:
     pa, parquet = needed("pyarrow", "retarget"), needed("pyarrow.parquet", "retarget")
     kinds = {name: pa.string() for name in ("file", "motion", "source", "key", "warnings", "error")}
     kinds |= {name: pa.int64() for name in ("frames", "size", "modified")}
+    kinds |= {"edges": pa.bool_()}
     schema = pa.schema([(name, kinds.get(name, pa.float64())) for name in _COLUMNS])
     made = pa.Table.from_pylist(list(rows), schema)
     whole(Path(out) / _TABLE, lambda file: parquet.write_table(made, file))

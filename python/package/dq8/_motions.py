@@ -39,10 +39,14 @@ UNITS = {
 
 
 class Report(Mapping[str, float]):
-    """The measures of a motion, by their names. `warnings` are sentences about those that a good motion does not have."""
+    """The measures of a motion, by their names. `warnings` are sentences about those that a good motion does not have.
 
-    def __init__(self, numbers: Mapping[str, float], warnings: Sequence[str] = ()) -> None:
-        self._numbers, self.warnings = dict(numbers), tuple(warnings)
+    `edges` is False if no edges of a sole are known, as where its shape is a mesh, but one point: edges may sink deeper than
+    ``sink`` and ``sunk`` tell.
+    """
+
+    def __init__(self, numbers: Mapping[str, float], warnings: Sequence[str] = (), edges: bool = True) -> None:
+        self._numbers, self.warnings, self.edges = dict(numbers), tuple(warnings), edges
 
     def __getitem__(self, name: str) -> float:
         return self._numbers[name]
@@ -54,7 +58,8 @@ class Report(Mapping[str, float]):
         return len(self._numbers)
 
     def _rows(self) -> list[list[str]]:
-        return [[name, f"{number:.4g}", UNITS[name]] for name, number in self._numbers.items()]
+        units = UNITS if self.edges else UNITS | {name: f"{UNITS[name]}; edges of soles are not known" for name in ("sink", "sunk")}
+        return [[name, f"{number:.4g}", units[name]] for name, number in self._numbers.items()]
 
     def __repr__(self) -> str:
         lines = [f"{name:<14}{number:>10} {unit}" for name, number, unit in self._rows()]

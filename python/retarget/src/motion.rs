@@ -86,8 +86,9 @@ pub fn check_settings(settings: Wishes) -> PyResult<()> {
 /// The values and contacts of a motion, its measures, and what is to be told.
 type Made<'py> = (Bound<'py, PyAny>, Bound<'py, PyAny>, Measures<'py>, Vec<String>);
 
-/// Numbers by their names, and sentences about those that are not good.
-type Measures<'py> = (Bound<'py, PyDict>, Vec<String>);
+/// Numbers by their names, sentences about those that are not good, and whether edges of soles are
+/// known.
+type Measures<'py> = (Bound<'py, PyDict>, Vec<String>, bool);
 
 /// Brings the motion of a person on a humanoid.
 #[pyfunction]
@@ -154,5 +155,5 @@ fn measures<'py>(py: Python<'py>, report: &Report) -> PyResult<Measures<'py>> {
     // What is not known, as where the file has meshes as shapes, is NaN.
     let numbers = report.measures().map(|measure| measure.unwrap_or(f64::NAN));
     let numbers = Report::MEASURES.into_iter().zip(numbers);
-    Ok((numbers.into_py_dict(py)?, report.warnings()))
+    Ok((numbers.into_py_dict(py)?, report.warnings(), report.edges))
 }
