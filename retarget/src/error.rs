@@ -98,6 +98,9 @@ pub enum RetargetError {
 }
 
 fn list<T: ToString>(names: &[T]) -> String {
+    if names.is_empty() {
+        return "none".to_owned();
+    }
     names.iter().map(T::to_string).collect::<Vec<_>>().join(", ")
 }
 

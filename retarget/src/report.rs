@@ -330,7 +330,8 @@ fn percentage(flags: &[bool]) -> f64 {
 }
 
 fn mean(numbers: &[f64]) -> f64 {
-    numbers.iter().sum::<f64>() / numbers.len().max(1) as f64
+    // The sum of no numbers is −0, which would be shown.
+    (0.0 + numbers.iter().sum::<f64>()) / numbers.len().max(1) as f64
 }
 
 /// Returns the number that a twentieth exceed.

@@ -3,7 +3,9 @@
 mod common;
 
 use common::{HUMANOID, humanoid, person, with_shape, with_soles};
-use dq8_retarget::{Clip, Humanoid, Report, RetargetError, Settings, Speeds, Targets, retarget};
+use dq8_retarget::{
+    Clip, Humanoid, Person, Report, RetargetError, Settings, Speeds, Targets, retarget,
+};
 use mocap::biped;
 
 #[test]
@@ -210,4 +212,26 @@ fn a_robot_without_legs_is_refused() {
     let error = Humanoid::from_urdf(arm).unwrap_err();
     assert!(matches!(error, RetargetError::NoLegs { .. }), "{error}");
     assert!(HUMANOID.contains("left_foot") && error.to_string().contains("left_foot"));
+}
+
+#[test]
+fn measures_of_a_single_frame_are_not_negative() {
+    let mut clip = biped::clip();
+    clip.values.truncate(clip.channels());
+    let report = retarget(&person(&clip), &humanoid(), &Settings::default()).unwrap().report;
+    for (name, measure) in Report::MEASURES.into_iter().zip(report.measures()) {
+        let negative = measure.is_some_and(f64::is_sign_negative);
+        assert!(!negative || name == "ground", "{name}: {measure:?}");
+    }
+}
+
+#[test]
+fn a_list_of_no_parts_says_that_there_are_none() {
+    let joints = [("pelvis", None), ("spine", Some(0)), ("head", Some(1))];
+    let person = Person::from_positions("still", &joints, &[[0.0; 3]; 3], 0.1).unwrap();
+    let error = retarget(&person, &humanoid(), &Settings::default()).unwrap_err().to_string();
+    assert!(
+        error.contains("Not found on the robot: none. Not found on the person: left"),
+        "{error}"
+    );
 }
