@@ -21,7 +21,7 @@ pub(crate) struct ByColumns<'s> {
 
 impl<'s> ByColumns<'s> {
     /// Fills `columns` by `matrices`. Returns `None` for other influences than four, and for what
-    /// does not fit.
+    /// does not fit. The skin is from `Skin::new`, so its joints and weights lie without gaps.
     pub(crate) fn new(
         skin: &Skin<'s, u16, f32>,
         matrices: &[Row],
