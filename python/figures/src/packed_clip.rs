@@ -22,7 +22,8 @@ use std::sync::Arc;
 /// Translations of a joint are steps of 2⁻¹⁶ of the longest side of the box in which it moves,
 /// and off by half of that along each axis: a walk of a kilometre is kept to 8 mm, which
 /// `max_error` refuses where it is too much. Rotations are off by 5.4·10⁻⁵ radians at most.
-/// What is kept once is off by up to its limit (`angle`, or `length` along each axis) more.
+/// A rotation or a translation that is kept once is off by up to its limit more: `angle`, or
+/// `length` along each axis.
 ///
 /// Parameters
 /// ----------
